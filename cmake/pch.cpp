@@ -1,0 +1,1 @@
+// Compiles cmake/pch.hpp once for all libraries.

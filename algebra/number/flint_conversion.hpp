@@ -13,4 +13,23 @@ void to_fmpz(fmpz_t out, const Integer& x);
 Rational from_fmpq(const fmpq_t x);
 Integer from_fmpz(const fmpz_t x);
 
+/// An fmpq_t or fmpz_t that clears itself.
+struct FlintRational {
+  FlintRational() { fmpq_init(data); }
+  explicit FlintRational(const Rational& x) : FlintRational() { to_fmpq(data, x); }
+  ~FlintRational() { fmpq_clear(data); }
+  FlintRational(const FlintRational&) = delete;
+  FlintRational& operator=(const FlintRational&) = delete;
+  fmpq_t data;
+};
+
+struct FlintInteger {
+  FlintInteger() { fmpz_init(data); }
+  explicit FlintInteger(const Integer& x) : FlintInteger() { to_fmpz(data, x); }
+  ~FlintInteger() { fmpz_clear(data); }
+  FlintInteger(const FlintInteger&) = delete;
+  FlintInteger& operator=(const FlintInteger&) = delete;
+  fmpz_t data;
+};
+
 }  // namespace limes

@@ -8,6 +8,8 @@ namespace limes {
 
 /// Exact integers and rationals on GMP, without expression templates (so that `auto` is safe). A Rational is always canonical:
 /// coprime, positive denominator. Text becomes a Rational through read_rational() only.
+/// \warning Boost 1.74 takes the denominator in Rational(1, -3) for unsigned and gives 1/18446744073709551613; a denominator 0
+/// ends the program. Write Rational(n) / d, which is right for every d != 0 and throws std::overflow_error for 0.
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 

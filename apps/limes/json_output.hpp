@@ -1,0 +1,35 @@
+#pragma once
+
+#include "proofs/checker/checker.hpp"
+#include "proofs/verdict.hpp"
+#include "schemes/scheme.hpp"
+
+#include <string>
+#include <vector>
+
+namespace limes::app {
+
+/// The JSON results of the verbs (docs/command-line.md names the keys). Rationals are strings "p/q", decimals are rounded
+/// outward. Every text ends with a newline.
+
+struct VerifiedClaim {
+  const Scheme* scheme = nullptr;
+  Claim claim;
+  Verdict verdict;
+  double seconds = 0;
+  /// Path of the certificate, empty without one.
+  std::string certificate;
+};
+
+struct CheckedFile {
+  std::string file;
+  checker::Result result;
+};
+
+std::string list_json(const std::vector<Scheme>& schemes);
+std::string show_json(const Scheme& scheme);
+std::string verify_json(const std::vector<VerifiedClaim>& results);
+std::string check_json(const std::vector<CheckedFile>& results);
+std::string norm_json(const Rational& norm, int order, int level);
+
+}  // namespace limes::app

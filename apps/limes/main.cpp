@@ -1,0 +1,103 @@
+// The command line: the only source that includes CLI11. Each verb lives in the file of its name.
+
+#include "apps/limes/options.hpp"
+
+#include "algebra/error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace {
+
+using namespace limes::app;
+
+void add_common(CLI::App& verb, CommonOptions& options) {
+  verb.add_flag("--json", options.json, "Print one JSON object and nothing else on standard output");
+  verb.add_flag("--quiet", options.quiet, "Print failures only");
+  verb.add_option("--threads", options.threads, "Number of threads (default: all cores)")->check(CLI::Range(1, 1024));
+  verb.add_option("--seed", options.seed, "Seed of randomised searches; results do not depend on it unless a verb says so");
+  verb.add_option("--budget", options.budget, "Stop after so many seconds, keeping what is finished (exit status 3)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1e-3, 1e8));
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Limes proves how smooth the limits of subdivision schemes are.");
+  app.set_version_flag("--version", "limes " LIMES_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit status: 0 every verdict as expected, 1 a verdict against expectation or a check failed,\n"
+             "2 bad usage or input, 3 undecided, interrupted or out of budget.");
+
+  ListOptions list;
+  CLI::App* list_verb = app.add_subcommand("list", "List the schemes of the catalogue");
+  add_common(*list_verb, list);
+
+  ShowOptions show;
+  CLI::App* show_verb = app.add_subcommand("show", "Show a scheme: mask, symbol, sum rules, claims");
+  show_verb->add_option("scheme", show.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  show_verb->add_flag("--latex", show.latex, "Print the mask and the symbol's factorisation in LaTeX");
+  add_common(*show_verb, show);
+
+  VerifyOptions verify;
+  CLI::App* verify_verb = app.add_subcommand("verify", "Prove or refute the claims of schemes (default: of the whole catalogue)");
+  verify_verb->add_option("scheme", verify.schemes, "Catalogue names or scheme files")->type_name("SCHEME");
+  verify_verb->add_option("--claim", verify.claim, "Decide this claim, e.g. C2 or \"not C3\", instead of the file's own");
+  verify_verb->add_option("--param", verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]")
+      ->type_name("NAME=VALUE")->expected(1);
+  verify_verb->add_option("--certificates", verify.certificates, "Directory for the certificates")
+      ->type_name("DIR")->capture_default_str();
+  add_common(*verify_verb, verify);
+
+  CheckOptions check;
+  CLI::App* check_verb = app.add_subcommand("check", "Check certificates (the same as the program limes-check)");
+  check_verb->add_option("certificate", check.certificates, "Certificate files")->required()->type_name("FILE");
+  add_common(*check_verb, check);
+
+  NormOptions norm;
+  CLI::App* norm_verb = app.add_subcommand("norm", "Exact norm ||S_b^L|| of the difference scheme, a = sigma^{M+1} p^{-M} b");
+  norm_verb->add_option("scheme", norm.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  norm_verb->add_option("--order", norm.order, "M: b = p^M a / sigma^{M+1}")->required()->check(CLI::Range(-1, 64))->type_name("M");
+  norm_verb->add_option("--level", norm.level, "L >= 1")->required()->check(CLI::Range(1, 40))->type_name("L");
+  norm_verb->add_option("--param", norm.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1);
+  add_common(*norm_verb, norm);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::cerr << "limes: " << error.what() << " (see limes --help)\n";
+    return bad_input;
+  }
+  if (list_verb->parsed()) return run_list(list);
+  if (show_verb->parsed()) return run_show(show);
+  if (verify_verb->parsed()) return run_verify(verify);
+  if (check_verb->parsed()) return run_check(check);
+  return run_norm(norm);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const int status = run(argc, argv);
+    std::cout.flush();
+    if (!std::cout) {
+      std::cerr << "limes: cannot write to standard output\n";
+      return bad_input;
+    }
+    return status;
+  } catch (const limes::InternalError& error) {
+    std::cerr << "limes: internal error, please report: " << error.what() << "\n";
+    return against_expectation;
+  } catch (const limes::Interrupted& error) {
+    std::cerr << "limes: " << error.what() << "\n";
+    return undecided_or_interrupted;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "limes: out of memory\n";
+    return undecided_or_interrupted;
+  } catch (const std::exception& error) {
+    std::cerr << "limes: " << error.what() << "\n";
+    return bad_input;
+  }
+}

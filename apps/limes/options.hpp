@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limes::app {
+
+/// Exit status of the program (docs/command-line.md).
+enum ExitStatus : int { all_as_expected = 0, against_expectation = 1, bad_input = 2, undecided_or_interrupted = 3 };
+
+/// What every verb takes.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  int threads = 0;  // 0: as many as the machine has
+  unsigned seed = 1;
+  std::optional<double> budget;  // seconds
+};
+
+struct ListOptions : CommonOptions {};
+
+struct ShowOptions : CommonOptions {
+  std::string scheme;
+  bool latex = false;
+};
+
+struct VerifyOptions : CommonOptions {
+  std::vector<std::string> schemes;
+  std::optional<std::string> claim;
+  std::vector<std::string> parameters;  // "w=1/96", "w=[0,1/4]"
+  std::filesystem::path certificates = "certificates";
+};
+
+struct CheckOptions : CommonOptions {
+  std::vector<std::filesystem::path> certificates;
+};
+
+struct NormOptions : CommonOptions {
+  std::string scheme;
+  int order = 0;
+  int level = 1;
+  std::vector<std::string> parameters;
+};
+
+int run_list(const ListOptions& options);
+int run_show(const ShowOptions& options);
+int run_verify(const VerifyOptions& options);
+int run_check(const CheckOptions& options);
+int run_norm(const NormOptions& options);
+
+}  // namespace limes::app

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "proofs/checker/bernstein.hpp"
+
+namespace limes::checker {
+
+/// (S f)_i = sum_j a_{i - arity j} f_j with a_{first_index + k} = mask[k] / denominator; the first index proves nothing.
+struct Scheme {
+  std::string name;
+  std::vector<std::string> parameters;
+  int arity = 0;
+  std::vector<Polynomial> mask;
+  Polynomial denominator;
+};
+
+/// One piece of a proof: a part of the region and the witness for it (a level for U1; a word, or none, for U2).
+struct Leaf {
+  Region region;
+  int level = 0;
+  bool missing_factor = false;
+  std::vector<int> word;
+};
+
+/// A certificate of the right form, of which nothing is proved yet.
+struct Certificate {
+  Scheme scheme;
+  bool negated = false;  ///< "not C<order>"
+  int order = 0;
+  Region region;
+  bool certified = false;       ///< or refuted
+  bool theorem_u1 = false;      ///< or U2
+  bool interpolatory = false;   ///< or linear independence; of U2
+  std::vector<Leaf> leaves;
+};
+
+/// \throws Rejected at "json", "format", "scheme", "claim", "proof" or "limits"
+Certificate read_certificate(std::string_view text, Budget& budget);
+
+/// The scheme on one leaf: point parameters substituted, the others in Bernstein form in the multidegree n of the greatest
+/// degrees of D and the A_i. The symbol A(z) is shifted so that its first and last coefficient are not the zero polynomial.
+struct LocalScheme {
+  int arity = 0;
+  Region box;                        ///< of the parameters that are not points
+  Bernstein denominator, mask;       ///< D > 0 on the leaf; A(z), a = A / D
+  Bernstein remainder;               ///< of A(z) by sigma(z)^{m+1}
+  bool has_factor = false;           ///< the remainder is zero, and then
+  Bernstein quotient, quotient_denominator;  ///< B(z) = p^m A(z) / sigma(z)^{m+1} and D, without a common factor: b = B / D
+};
+
+/// \throws Rejected at "denominator" when D has no proven strict sign on the leaf
+LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf, Budget& budget);
+
+/// Theorem U1 (C^m) and theorem U2 (not C^m) on a leaf: an estimate of the work in nanoseconds, and the proof.
+double u1_work(const LocalScheme& scheme, int level);
+void prove_u1(const LocalScheme& scheme, int level);
+double u2_work(const LocalScheme& scheme, const Leaf& leaf);
+void prove_u2(const LocalScheme& scheme, bool interpolatory, const Leaf& leaf, Budget& budget);
+
+}  // namespace limes::checker

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "proofs/checker/checker.hpp"
+
+#include "proofs/checker/certificate.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+
+namespace limes::checker {
+namespace {
+
+/// Runs a step for every leaf; a rejection tells the leaf.
+void for_each_leaf(const Certificate& certificate, const std::function<void(const Leaf&)>& step) {
+  for (std::size_t i = 0; i < certificate.leaves.size(); ++i) {
+    try {
+      step(certificate.leaves[i]);
+    } catch (const Rejected& rejected) {
+      throw Rejected{rejected.step, "leaf " + std::to_string(i + 1) + ": " + rejected.reason};
+    }
+  }
+}
+
+/// A label is shown as it is when it cannot be mistaken for a part of the statement.
+std::string shown(const std::string& name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+  });
+  if (plain) return name;
+  std::string result = "\"";
+  for (const char c : name) result += c == '"' ? '\'' : c;
+  return result + "\"";
+}
+
+std::string shown(const Region& region, const Scheme& scheme) {
+  std::string result;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const std::string& text = region[k].text;
+    const std::string interval = text.size() <= 80 ? text : text.substr(0, 40) + "..." + text.substr(text.size() - 37);
+    result += (k == 0 ? " for " : ", ") + scheme.parameters[k] + (region[k].is_point() ? " = " : " in ") + interval;
+  }
+  return result;
+}
+
+std::string statement(const Certificate& certificate) {
+  const auto is = [&](bool negated) { return (negated ? " is not C" : " is C") + std::to_string(certificate.order); };
+  std::string result = (certificate.certified ? "certified: " : "refuted: ") + shown(certificate.scheme.name) +
+                       is(certificate.negated) + shown(certificate.region, certificate.scheme);
+  if (!certificate.certified)
+    result += "; it" + is(!certificate.negated) + shown(certificate.leaves.front().region, certificate.scheme);
+  const std::size_t leaves = certificate.leaves.size();
+  return result + " (theorem " + (certificate.theorem_u1 ? "U1, " : "U2, ") + std::to_string(leaves) +
+         (leaves == 1 ? " leaf)" : " leaves)");
+}
+
+std::string prove(std::string_view text) {
+  Budget budget;
+  const Certificate certificate = read_certificate(text, budget);
+  for_each_leaf(certificate, [&](const Leaf& leaf) {
+    if (!is_inside(leaf.region, certificate.region)) throw Rejected{"covering", "it is not inside the claimed region"};
+  });
+  if (certificate.certified) {
+    std::vector<Region> regions;
+    for (const Leaf& leaf : certificate.leaves) regions.push_back(leaf.region);
+    if (!covers(regions, certificate.region, budget)) throw Rejected{"covering", "the leaves do not cover the claimed region"};
+  }
+  const auto localize = [&](const Leaf& leaf) {
+    return restrict_to_leaf(certificate.scheme, certificate.order, leaf.region, budget);
+  };
+  for_each_leaf(certificate, [&](const Leaf& leaf) {
+    const LocalScheme local = localize(leaf);
+    budget.work(certificate.theorem_u1 ? u1_work(local, leaf.level) : u2_work(local, leaf));
+  });
+  for_each_leaf(certificate, [&](const Leaf& leaf) {
+    const LocalScheme local = localize(leaf);
+    if (certificate.theorem_u1) prove_u1(local, leaf.level);
+    else prove_u2(local, certificate.interpolatory, leaf, budget);
+  });
+  return statement(certificate);
+}
+
+}  // namespace
+
+Result check(std::string_view certificate_json) {
+  try {
+    return {true, "", "", prove(certificate_json)};
+  } catch (const Rejected& rejected) {
+    return {false, rejected.step, rejected.reason, ""};
+  } catch (const std::bad_alloc&) {
+    return {false, "limits", "out of memory", ""};
+  } catch (const std::exception& error) {
+    return {false, "internal", error.what(), ""};
+  } catch (...) {
+    return {false, "internal", "unknown exception", ""};
+  }
+}
+
+}  // namespace limes::checker

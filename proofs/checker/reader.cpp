@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+//
+// The only source that knows JSON.
+#include "proofs/checker/certificate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace limes::checker {
+namespace {
+
+using Json = nlohmann::json;
+
+/// JSON without duplicate keys, byte order mark or NUL (which the library would take for the end of the text).
+Json parse(std::string_view text) {
+  if (text.size() > std::size_t{64} << 20) throw Rejected{"limits", "the certificate has more than 64 MiB"};
+  if (text.starts_with("\xEF\xBB\xBF")) throw Rejected{"json", "the text starts with a byte order mark"};
+  if (text.find('\0') != std::string_view::npos) throw Rejected{"json", "the text contains a NUL byte"};
+  std::vector<std::set<std::string>> keys;
+  std::size_t events = 0;
+  const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
+    using Event = Json::parse_event_t;
+    if (++events > 2000000) throw Rejected{"limits", "the certificate has more than 2000000 keys and values"};
+    if ((event == Event::object_start || event == Event::array_start) && depth >= 32)
+      throw Rejected{"json", "the text is nested more than 32 deep"};
+    if (event == Event::object_start) keys.emplace_back();
+    if (event == Event::object_end) keys.pop_back();
+    if (event == Event::key && !keys.back().insert(value).second)
+      throw Rejected{"json", "the key " + checker::quoted(value.get<std::string>()) + " occurs twice in an object"};
+    return true;
+  };
+  try {
+    return Json::parse(text, watch);
+  } catch (const Json::parse_error& error) {
+    throw Rejected{"json", "the text is no JSON near byte " + std::to_string(error.byte)};
+  }
+}
+
+/// One object with exactly the keys given; every failure names the step and the place.
+class Reader {
+ public:
+  Reader(const Json& json, std::string step, std::string where, std::vector<std::string> keys)
+      : json_(json), step_(std::move(step)), where_(std::move(where)) {
+    if (!json_.is_object()) fail("is no object");
+    for (const auto& key : keys)
+      if (!json_.contains(key)) fail("lacks the key " + key);
+    for (const auto& [key, value] : json_.items())
+      if (std::count(keys.begin(), keys.end(), key) == 0) fail("has the unknown key " + checker::quoted(key));
+  }
+
+  [[noreturn]] void fail(const std::string& why) const { throw Rejected{step_, where_ + " " + why}; }
+  const Json& at(const char* key) const { return json_.at(key); }
+
+  const std::string& text(const Json& value, const std::string& what) const {
+    if (!value.is_string()) fail("needs a string as " + what);
+    return value.get_ref<const std::string&>();
+  }
+  int integer(const Json& value, const std::string& what, int low, int high) const {
+    const bool small = value.is_number_integer() && (!value.is_number_unsigned() || value.get<std::uint64_t>() < 1u << 31);
+    if (!small || value.get<std::int64_t>() < low || value.get<std::int64_t>() > high)
+      fail("needs an integer from " + std::to_string(low) + " to " + std::to_string(high) + " as " + what);
+    return value.get<int>();
+  }
+  const Json& list(const char* key, std::size_t least, std::size_t most) const {
+    if (!at(key).is_array() || at(key).size() < least || at(key).size() > most)
+      fail("needs a list of " + std::to_string(least) + " to " + std::to_string(most) + " elements as " + key);
+    return at(key);
+  }
+  /// Whether a text is the first of two choices; it must be one of them.
+  bool is_first(const char* key, std::string_view first, std::string_view second) const {
+    const std::string& value = text(at(key), key);
+    if (value != first && value != second) fail("has an unknown " + std::string(key));
+    return value == first;
+  }
+  Region region(const std::vector<std::string>& parameters, Budget& budget) const {
+    Region result;
+    const Reader intervals(at("region"), step_, where_ + ": the region", parameters);
+    for (const auto& parameter : parameters) {
+      const std::string& interval = text(intervals.json_.at(parameter), "the interval of " + parameter);
+      budget.work(2000 + 2. * static_cast<double>(interval.size() * interval.size()));
+      budget.hold(300 + 2. * static_cast<double>(interval.size()));
+      result.push_back(read_interval(interval, step_));
+    }
+    return result;
+  }
+
+ private:
+  const Json& json_;
+  std::string step_, where_;
+};
+
+Scheme read_scheme(const Json& json, Budget& budget) {
+  const Reader reader(json, "scheme", "the scheme", {"kind", "name", "parameters", "arity", "first_index", "mask"});
+  reader.is_first("kind", "uniform", "uniform");
+  Scheme scheme{reader.text(reader.at("name"), "name"), {}, reader.integer(reader.at("arity"), "arity", 2, 16), {}, constant(1)};
+  for (std::size_t i = 0; i < scheme.name.size(); ++i) {
+    const auto byte = [&](std::size_t k) { return k < scheme.name.size() ? static_cast<unsigned char>(scheme.name[k]) : 0; };
+    if (byte(i) < 0x20 || byte(i) == 0x7F || (byte(i) == 0xC2 && byte(i + 1) < 0xA0)) reader.fail("has a control character in its name");
+  }
+  if (scheme.name.empty() || scheme.name.size() > 200) reader.fail("needs a name of 1 to 200 bytes");
+  for (const Json& name : reader.list("parameters", 0, max_parameters)) {
+    if (!is_name(reader.text(name, "a parameter"))) reader.fail("has a parameter that is no name");
+    if (std::count(scheme.parameters.begin(), scheme.parameters.end(), name) > 0) reader.fail("has a parameter twice");
+    scheme.parameters.push_back(name);
+  }
+  reader.integer(reader.at("first_index"), "first_index", -1000000, 1000000);
+  std::vector<Fraction> mask;
+  std::vector<Polynomial> denominators;  // the distinct ones; D is their product
+  for (const Json& expression : reader.list("mask", 1, 1024)) {
+    mask.push_back(read_expression(reader.text(expression, "an element of the mask"), scheme.parameters, budget));
+    const Polynomial& own = mask.back().denominator;
+    if (std::count(denominators.begin(), denominators.end(), own) == 0) denominators.push_back(own);
+  }
+  for (const auto& d : denominators) scheme.denominator = multiply(scheme.denominator, d, budget);
+  for (auto& [numerator, own] : mask) {
+    for (const auto& d : denominators)
+      if (d != own) numerator = multiply(numerator, d, budget);
+    scheme.mask.push_back(std::move(numerator));
+  }
+  return scheme;
+}
+
+Leaf read_leaf(const Json& json, const std::string& where, const Certificate& certificate, Budget& budget) {
+  const bool missing = !certificate.theorem_u1 && json.is_object() && json.contains("missing_factor");
+  const char* witness = certificate.theorem_u1 ? "level" : missing ? "missing_factor" : "word";
+  const Reader reader(json, "proof", where, {"region", witness});
+  Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, missing, {}};
+  if (certificate.theorem_u1) {
+    leaf.level = reader.integer(reader.at("level"), "level", 1, 24);
+  } else if (missing) {
+    if (reader.at("missing_factor") != true) reader.fail("needs true as missing_factor");
+  } else {
+    for (const Json& letter : reader.list("word", 1, 64))
+      leaf.word.push_back(reader.integer(letter, "a letter", 0, certificate.scheme.arity - 1));
+  }
+  return leaf;
+}
+
+}  // namespace
+
+Certificate read_certificate(std::string_view text, Budget& budget) {
+  const Json json = parse(text);
+  const Reader reader(json, "format", "the certificate", {"format", "version", "scheme", "claim", "verdict", "theorem", "proof"});
+  reader.is_first("format", "limes-certificate", "limes-certificate");
+  reader.integer(reader.at("version"), "version", 1, 1);
+  Certificate result;
+  result.certified = reader.is_first("verdict", "certified", "refuted");
+  result.theorem_u1 = reader.is_first("theorem", "U1", "U2");
+  result.scheme = read_scheme(json["scheme"], budget);
+
+  const Reader claim(json["claim"], "claim", "the claim", {"statement", "region"});
+  std::string statement = claim.text(claim.at("statement"), "statement");
+  if ((result.negated = statement.starts_with("not "))) statement.erase(0, 4);
+  while (result.order <= 64 && statement != "C" + std::to_string(result.order)) ++result.order;
+  if (result.order > 64) claim.fail("needs C<m> or not C<m> with m from 0 to 64 as statement");
+  result.region = claim.region(result.scheme.parameters, budget);
+  // U1 proves C^m and so refutes not C^m; U2 the other way round.
+  if (result.theorem_u1 == (result.certified == result.negated)) claim.fail("is not what the theorem proves or refutes");
+
+  std::vector<std::string> keys{"leaves"};
+  if (!result.theorem_u1) keys.push_back("stability");
+  const Reader proof(json["proof"], "proof", "the proof", keys);
+  result.interpolatory = !result.theorem_u1 && proof.is_first("stability", "interpolatory", "linear-independence");
+  for (const Json& leaf : proof.list("leaves", 1, 100000))
+    result.leaves.push_back(read_leaf(leaf, "leaf " + std::to_string(result.leaves.size() + 1), result, budget));
+  return result;
+}
+
+}  // namespace limes::checker

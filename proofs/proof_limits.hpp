@@ -1,0 +1,22 @@
+#pragma once
+
+#include "analysis/uniform/contractivity_bound.hpp"
+
+namespace limes {
+
+/// How hard the provers try before they say undecided.
+struct ProofLimits {
+  ContractivityLimits contractivity;
+  /// Leaves of one proof.
+  int max_leaves = 20000;
+  /// Bisections of one leaf.
+  int max_depth = 60;
+  /// Length of words of difference sections.
+  int max_word_length = 12;
+  /// Words formed in floating point per point.
+  std::size_t max_words = 10000;
+  /// Words tested exactly per point or leaf.
+  int max_exact_words = 32;
+};
+
+}  // namespace limes

@@ -1,0 +1,108 @@
+// Theorem U1 on a region: bisection, with a level of its own on every leaf.
+
+#include "analysis/uniform/difference_symbol.hpp"
+#include "proofs/uniform/smoothness_proof.hpp"
+
+#include "algebra/error.hpp"
+
+#include <fmt/format.h>
+
+namespace limes {
+namespace {
+
+/// The least level at which the norm at the point seems to be below 1; nothing when no level within the limits does.
+std::optional<int> approx_level(const LaurentPolynomial& b, int arity, std::span<const Rational> point,
+                                const ContractivityLimits& limits) {
+  constexpr double enough = 1 - 1e-10;
+  const std::vector<double> norms = approx_contractivity_norms(b, arity, point, limits.max_level, enough);
+  if (norms.back() >= enough) return std::nullopt;
+  return static_cast<int>(norms.size());
+}
+
+struct Task {
+  Box box;
+  int depth;
+};
+
+}  // namespace
+
+Mask restricted(const Mask& mask, const Box& region) {
+  Mask result = mask;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    if (region[k].is_point()) result.symbol = result.symbol.substitute(static_cast<int>(k), region[k].lower);
+  }
+  return result;
+}
+
+std::vector<std::vector<Rational>> sample_points(const Box& region) {
+  constexpr std::size_t max_axes_with_corners = 3;
+  std::vector<std::vector<Rational>> points{midpoint(region)};
+  if (is_point(region) || region.size() > max_axes_with_corners) return points;
+  for (unsigned corner = 0; corner < (1u << region.size()); ++corner) {
+    std::vector<Rational> point;
+    for (std::size_t k = 0; k < region.size(); ++k) {
+      const bool upper = (corner >> k) & 1;
+      if (upper && region[k].is_point()) break;
+      if (upper ? region[k].upper_open : region[k].lower_open) break;
+      point.push_back(upper ? region[k].upper : region[k].lower);
+    }
+    if (point.size() == region.size()) points.push_back(point);
+  }
+  return points;
+}
+
+ProofAttempt prove_smooth(const Mask& mask, int m, const Box& region, const ProofLimits& limits, const Stop& stop) {
+  ProofAttempt attempt;
+  const Mask scheme = restricted(mask, region);
+  const int variables = scheme.symbol.variables();
+  const auto fail = [&](std::string reason, std::optional<std::vector<Rational>> point = std::nullopt) {
+    attempt.reason = std::move(reason);
+    attempt.failing_point = std::move(point);
+    return attempt;
+  };
+  if (scheme.symbol.is_zero()) return fail("the mask is zero");
+  if (!(scheme.symbol(1) == RationalFunction::constant(variables, scheme.arity))) {
+    return fail(fmt::format("a(1) = {} does not hold identically", scheme.arity));
+  }
+  const std::optional<LaurentPolynomial> b = difference_symbol(scheme, m + 1);
+  if (!b) return fail(fmt::format("the symbol has no factor sigma^{}", m + 1));
+
+  std::vector<Task> tasks{{region, 0}};
+  while (!tasks.empty()) {
+    stop.check();
+    const Task task = std::move(tasks.back());
+    tasks.pop_back();
+    int level = 1;
+    for (const std::vector<Rational>& point : sample_points(task.box)) {
+      const std::optional<int> own = approx_level(*b, scheme.arity, point, limits.contractivity);
+      if (!own) {
+        return fail(fmt::format("no norm ||S_b^l|| with l <= {} seems to be below 1", limits.contractivity.max_level), point);
+      }
+      level = std::max(level, *own);
+    }
+    bool proved = false;
+    try {
+      proved = ContractivityBound(*b, scheme.arity, task.box).proves_contraction(level, limits.contractivity, stop);
+    } catch (const LimitError& error) {
+      return fail(error.reason(), midpoint(task.box));
+    }
+    if (proved) {
+      attempt.leaves.push_back({task.box, ContractionWitness{level}});
+      continue;
+    }
+    const int axis = widest_axis(task.box, region);
+    if (axis < 0 || task.depth == limits.max_depth) {
+      return fail(fmt::format("the bound of ||S_b^{}|| is not below 1", level), midpoint(task.box));
+    }
+    if (static_cast<int>(attempt.leaves.size() + tasks.size()) >= limits.max_leaves) {
+      return fail(fmt::format("more than {} leaves would be needed", limits.max_leaves), midpoint(task.box));
+    }
+    auto [lower, upper] = bisect(task.box, axis);
+    tasks.push_back({std::move(upper), task.depth + 1});
+    tasks.push_back({std::move(lower), task.depth + 1});
+  }
+  attempt.proved = true;
+  return attempt;
+}
+
+}  // namespace limes

@@ -1,0 +1,42 @@
+#include "schemes/claim.hpp"
+
+#include "algebra/error.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace limes {
+
+std::string to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::certified: return "certified";
+    case Outcome::refuted: return "refuted";
+    case Outcome::undecided: return "undecided";
+  }
+  throw InternalError("unknown outcome");
+}
+
+std::string statement(const Claim& claim) { return fmt::format("{}C{}", claim.negated ? "not " : "", claim.smoothness); }
+
+Claim read_statement(const std::string& text) {
+  constexpr int max_smoothness = 64;
+  Claim claim;
+  std::string_view rest = text;
+  if (rest.starts_with("not ")) {
+    claim.negated = true;
+    rest.remove_prefix(4);
+  }
+  bool read = rest.starts_with('C') && rest.size() > 1 && rest[1] >= '0' && rest[1] <= '9' && (rest[1] != '0' || rest.size() == 2);
+  if (read) {
+    const auto [end, error] = std::from_chars(rest.data() + 1, rest.data() + rest.size(), claim.smoothness);
+    if (error == std::errc::result_out_of_range || (error == std::errc{} && claim.smoothness > max_smoothness)) {
+      throw LimitError(fmt::format("claim '{}': smoothness above {}", text, max_smoothness));
+    }
+    read = error == std::errc{} && end == rest.data() + rest.size();
+  }
+  if (!read) throw InputError(fmt::format("claim '{}': expected \"C<m>\" or \"not C<m>\"", text));
+  return claim;
+}
+
+}  // namespace limes

@@ -1,0 +1,279 @@
+// The reader of scheme files, and the only source that includes toml++.
+
+#include "algebra/error.hpp"
+#include "algebra/expression/expression.hpp"
+#include "algebra/number/read_rational.hpp"
+#include "schemes/scheme.hpp"
+#include "schemes/uniform/interpolant_rule.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <fstream>
+#include <set>
+
+namespace limes {
+namespace {
+
+constexpr std::uintmax_t max_file_size = 4 << 20;
+constexpr std::size_t max_parameters = 8;
+constexpr std::size_t max_mask_length = 1024;
+constexpr int max_arity = 16;
+constexpr int max_index = 1 << 20;
+
+/// A TOML table whose keys must all be asked for: what nobody asked for is unknown.
+class TableReader {
+ public:
+  TableReader(const toml::table& table, std::string where, const std::string& file)
+      : table_(table), where_(std::move(where)), file_(file) {}
+
+  [[noreturn]] void fail(const toml::node& node, const std::string& reason) const {
+    throw InputError(reason, {file_, static_cast<int>(node.source().begin.line), 0});
+  }
+  [[noreturn]] void fail(const std::string& reason) const { fail(table_, reason); }
+
+  int line(const toml::node& node) const { return static_cast<int>(node.source().begin.line); }
+  int line() const { return line(table_); }
+  const std::string& file() const { return file_; }
+
+  const toml::node* find(const std::string& key) {
+    asked_.insert(key);
+    return table_.get(key);
+  }
+  const toml::node& require(const std::string& key) {
+    if (const toml::node* node = find(key)) return *node;
+    fail(fmt::format("{} has no key '{}'", where_, key));
+  }
+
+  std::string text(const toml::node& node, const std::string& key) const {
+    if (const auto* value = node.as_string()) return value->get();
+    fail(node, fmt::format("'{}' must be a string", key));
+  }
+  std::string text(const std::string& key) { return text(require(key), key); }
+  std::string text_or(const std::string& key, const std::string& otherwise) {
+    const toml::node* node = find(key);
+    return node ? text(*node, key) : otherwise;
+  }
+  int integer(const toml::node& node, const std::string& key, int lower, int upper) const {
+    const auto* value = node.as_integer();
+    if (!value || value->get() < lower || value->get() > upper) {
+      fail(node, fmt::format("'{}' must be an integer from {} to {}", key, lower, upper));
+    }
+    return static_cast<int>(value->get());
+  }
+
+  TableReader table(const toml::node& node, const std::string& where) const {
+    if (const auto* value = node.as_table()) return TableReader(*value, where, file_);
+    fail(node, fmt::format("{} must be a table", where));
+  }
+  const toml::table& raw() const { return table_; }
+
+  /// Runs a reader of one value and moves its errors to that value's line.
+  template <class Read>
+  auto located(const toml::node& node, const std::string& what, Read read) const {
+    try {
+      return read();
+    } catch (const LimitError& error) {
+      throw LimitError(fmt::format("{}: {}", what, error.located(file_, line(node)).reason()), {file_, line(node), 0});
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", what, error.located(file_, line(node)).reason()), {file_, line(node), 0});
+    } catch (const DomainError& error) {
+      throw InputError(fmt::format("{}: {}", what, error.what()), {file_, line(node), 0});
+    }
+  }
+
+  /// The end of reading: every key must have been asked for.
+  void finish() const {
+    for (const auto& [key, value] : table_) {
+      if (asked_.contains(std::string(key.str()))) continue;
+      throw InputError(fmt::format("unknown key '{}' in {}", std::string(key.str()), where_),
+                       {file_, static_cast<int>(key.source().begin.line), 0});
+    }
+  }
+
+ private:
+  const toml::table& table_;
+  std::string where_;
+  std::string file_;
+  std::set<std::string> asked_;
+};
+
+/// "[a, b]" and the like as one string, or two ends as an array of strings (closed).
+Interval read_range(const TableReader& reader, const toml::node& node, const std::string& name) {
+  if (const auto* ends = node.as_array()) {
+    if (ends->size() != 2 || !(*ends)[0].is_string() || !(*ends)[1].is_string()) {
+      reader.fail(node, fmt::format("the interval of '{}' must be two strings [\"lower\", \"upper\"]", name));
+    }
+    return reader.located(node, name, [&] {
+      Interval interval{read_rational(reader.text((*ends)[0], name)), read_rational(reader.text((*ends)[1], name))};
+      if (interval.lower > interval.upper) throw InputError("the lower end exceeds the upper end");
+      return interval;
+    });
+  }
+  if (!node.is_string()) {
+    reader.fail(node, fmt::format("'{}' must be an interval: two strings, or a string such as \"(0, 1/4]\"; numbers are written "
+                                  "as strings, so that they are exact", name));
+  }
+  return reader.located(node, name, [&] { return read_interval(reader.text(node, name)); });
+}
+
+std::vector<Parameter> read_parameters(TableReader reader) {
+  std::vector<Parameter> parameters;
+  for (const auto& [key, value] : reader.raw()) {
+    const std::string name(key.str());
+    if (!is_name(name)) reader.fail(value, fmt::format("'{}' is no name for a parameter", name));
+    parameters.push_back({name, read_range(reader, value, name)});
+  }
+  // toml++ orders keys by name; the file's order is the author's.
+  std::sort(parameters.begin(), parameters.end(), [&](const Parameter& a, const Parameter& b) {
+    const auto begin = [&](const Parameter& p) { return reader.raw().get(p.name)->source().begin; };
+    return begin(a) < begin(b);
+  });
+  if (parameters.size() > max_parameters) reader.fail(fmt::format("more than {} parameters", max_parameters));
+  return parameters;
+}
+
+Mask read_mask(TableReader& reader, const toml::node& node, int arity, const VariableNames& names) {
+  const auto* entries = node.as_array();
+  if (!entries || entries->empty()) reader.fail(node, "'mask' must be a non-empty array of strings");
+  if (entries->size() > max_mask_length) reader.fail(node, fmt::format("'mask' has more than {} entries", max_mask_length));
+  std::vector<RationalFunction> coefficients;
+  for (std::size_t k = 0; k < entries->size(); ++k) {
+    const toml::node& entry = (*entries)[k];
+    const std::string what = fmt::format("mask[{}]", k);
+    if (!entry.is_string()) reader.fail(entry, what + " must be a string (an exact expression)");
+    coefficients.push_back(reader.located(entry, what, [&] { return read_rational_function(reader.text(entry, what), names); }));
+  }
+  int first_index = -static_cast<int>(entries->size() / 2);
+  if (const toml::node* first = reader.find("first_index")) {
+    first_index = reader.integer(*first, "first_index", -max_index, max_index);
+  }
+  return {arity, LaurentPolynomial(static_cast<int>(names.size()), first_index, std::move(coefficients))};
+}
+
+void read_uniform(TableReader reader, Scheme& scheme) {
+  int arity = 2;
+  if (const toml::node* node = reader.find("arity")) arity = reader.integer(*node, "arity", 2, max_arity);
+  const toml::node* mask = reader.find("mask");
+  const toml::node* rule = reader.find("rule");
+  if (!mask == !rule) reader.fail("[uniform] needs exactly one of 'mask' and 'rule'");
+  if (mask) {
+    scheme.mask = read_mask(reader, *mask, arity, scheme.parameter_names());
+  } else {
+    if (arity != 2) reader.fail(*rule, "a rule makes a binary scheme: arity must be 2");
+    scheme.rule = reader.text(*rule, "rule");
+    scheme.mask = reader.located(*rule, "rule",
+                                 [&] { return mask_from_rule(read_expression(scheme.rule), scheme.parameter_names()); });
+  }
+  if (scheme.mask.symbol.is_zero()) reader.fail(mask ? *mask : *rule, "the mask is zero");
+  reader.finish();
+}
+
+Claim read_claim(TableReader reader, const Scheme& scheme) {
+  const toml::node* text = reader.find("claim");
+  const toml::node* smoothness = reader.find("smoothness");
+  if (!text == !smoothness) reader.fail("a claim needs exactly one of 'claim' and 'smoothness'");
+  Claim claim;
+  if (text) {
+    claim = reader.located(*text, "claim", [&] { return read_statement(reader.text(*text, "claim")); });
+  } else {
+    claim.smoothness = reader.integer(*smoothness, "smoothness", 0, 64);
+  }
+  claim.line = reader.line();
+  claim.region = scheme.parameter_box();
+  if (const toml::node* node = reader.find("region")) {
+    TableReader region = reader.table(*node, "region");
+    for (std::size_t k = 0; k < scheme.parameters.size(); ++k) {
+      const Parameter& parameter = scheme.parameters[k];
+      const toml::node* range = region.find(parameter.name);
+      if (!range) continue;
+      claim.region[k] = read_range(region, *range, parameter.name);
+      if (!parameter.range.contains(claim.region[k])) {
+        region.fail(*range, fmt::format("the region {} = {} exceeds the parameter's range {}", parameter.name,
+                                        to_string(claim.region[k]), to_string(parameter.range)));
+      }
+    }
+    region.finish();
+  }
+  claim.source = reader.text_or("source", "");
+  claim.erratum = reader.text_or("erratum", "");
+  if (const toml::node* node = reader.find("expect")) {
+    const std::string expected = reader.text(*node, "expect");
+    if (expected == "certified") claim.expected = Outcome::certified;
+    else if (expected == "refuted") claim.expected = Outcome::refuted;
+    else if (expected == "undecided") claim.expected = Outcome::undecided;
+    else reader.fail(*node, fmt::format("'expect' is \"certified\", \"refuted\" or \"undecided\", not \"{}\"", expected));
+    if (claim.expected != Outcome::certified && claim.erratum.empty()) {
+      reader.fail(*node, fmt::format("a claim expected to be {} needs an 'erratum' that says why", expected));
+    }
+  }
+  reader.finish();
+  return claim;
+}
+
+std::vector<std::string> read_keys(const std::string& list) {
+  std::vector<std::string> keys;
+  std::size_t begin = 0;
+  while (begin < list.size()) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::size_t first = list.find_first_not_of(" \t", begin);
+    const std::size_t last = list.find_last_not_of(" \t", end - 1);
+    if (first < end) keys.push_back(list.substr(first, last - first + 1));
+    begin = end + 1;
+  }
+  return keys;
+}
+
+Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
+  TableReader reader(root, "the scheme file", file.string());
+  Scheme scheme;
+  scheme.file = file;
+  scheme.name = reader.text("name");
+  if (scheme.name.empty() || scheme.name.size() > 100 ||
+      scheme.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.") != std::string::npos ||
+      scheme.name.front() == '.' || scheme.name.front() == '-') {
+    reader.fail(reader.require("name"), "'name' consists of 1 to 100 letters, digits, '-', '_' and '.', and starts with a letter or digit");
+  }
+  scheme.title = reader.text_or("title", scheme.name);
+  const toml::node& kind = reader.require("kind");
+  if (reader.text(kind, "kind") != "uniform") {
+    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform)", reader.text(kind, "kind")));
+  }
+  scheme.sources = read_keys(reader.text_or("source", ""));
+  if (const toml::node* node = reader.find("parameters")) {
+    scheme.parameters = read_parameters(reader.table(*node, "[parameters]"));
+  }
+  read_uniform(reader.table(reader.require("uniform"), "[uniform]"), scheme);
+  if (const toml::node* node = reader.find("claims")) {
+    const auto* claims = node->as_array();
+    if (!claims) reader.fail(*node, "claims are written as [[claims]]");
+    for (const toml::node& claim : *claims) scheme.claims.push_back(read_claim(reader.table(claim, "a claim"), scheme));
+  }
+  reader.finish();
+  return scheme;
+}
+
+}  // namespace
+
+Scheme read_scheme(std::string_view text, const std::filesystem::path& file) {
+  if (text.size() > max_file_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
+  try {
+    return interpret(toml::parse(text, file.string()), file);
+  } catch (const toml::parse_error& error) {
+    throw InputError(std::string(error.description()), {file.string(), static_cast<int>(error.source().begin.line),
+                                                        static_cast<int>(error.source().begin.column)});
+  }
+}
+
+Scheme read_scheme_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw InputError("cannot read the file: " + error.message(), {file.string(), 0, 0});
+  if (size > max_file_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (!stream) throw InputError("cannot read the file", {file.string(), 0, 0});
+  return read_scheme(text, file);
+}
+
+}  // namespace limes

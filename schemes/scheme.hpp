@@ -1,0 +1,48 @@
+#pragma once
+
+#include "schemes/claim.hpp"
+#include "schemes/uniform/mask.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limes {
+
+struct Parameter {
+  std::string name;
+  /// Where the definition makes sense; claims lie inside.
+  Interval range;
+};
+
+enum class SchemeKind { uniform };
+
+std::string to_string(SchemeKind kind);
+
+/// A scheme as its file defines it, with the claims made about it.
+struct Scheme {
+  std::string name;
+  std::string title;
+  SchemeKind kind = SchemeKind::uniform;
+  /// Keys of references.bib.
+  std::vector<std::string> sources;
+  std::vector<Parameter> parameters;
+  Mask mask;
+  /// The rule that the mask was made from; empty when the file gives the mask.
+  std::string rule;
+  std::vector<Claim> claims;
+  std::filesystem::path file;
+
+  VariableNames parameter_names() const;
+  Box parameter_box() const;
+};
+
+/// Reads a scheme file (TOML, docs/scheme-files.md).
+/// \throws InputError "file:line: reason" for malformed TOML, unknown keys, wrong types, expressions that do not parse, poles
+/// for every parameter value, claims outside of the parameter box, ...
+Scheme read_scheme_file(const std::filesystem::path& file);
+/// The same from a text; `file` only names it in messages.
+Scheme read_scheme(std::string_view text, const std::filesystem::path& file);
+
+}  // namespace limes

@@ -16,6 +16,10 @@ function(limes_compile_flags target)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
+  if(LIMES_FUZZ)
+    # Coverage, which libFuzzer is guided by; its main function comes with tests/fuzz only.
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
 endfunction()
 
 # In the build tree the sources are seen as <limes/...> through a link, after installation through PREFIX/include.

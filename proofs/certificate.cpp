@@ -39,8 +39,14 @@ std::string to_string(Theorem theorem) {
 
 std::string to_json(const Certificate& certificate) {
   const LaurentPolynomial& symbol = certificate.mask.symbol;
+  // All entries over the one denominator that the proof used, so that the checker forms the same one.
+  const MultivariatePolynomial denominator = common_denominator(symbol);
   Json mask = Json::array();
-  for (const RationalFunction& c : symbol.coefficients()) mask.push_back(to_string(c, certificate.parameters));
+  for (const MultivariatePolynomial& numerator : numerators_over(symbol, denominator)) {
+    std::string entry = to_string(numerator, certificate.parameters);
+    if (!denominator.is_constant()) entry = "(" + entry + ")/(" + to_string(denominator, certificate.parameters) + ")";
+    mask.push_back(std::move(entry));
+  }
   Json proof = Json::object();
   if (certificate.stability) proof["stability"] = to_text(*certificate.stability);
   proof["leaves"] = Json::array();

@@ -1,6 +1,7 @@
 #include "proofs/prove.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/polynomial/bernstein_form.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/uniform/smoothness_proof.hpp"
 
@@ -62,6 +63,11 @@ Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, Proo
                                     .leaves = std::move(attempt.leaves)};
   verdict.certificate_json = to_json(*verdict.certificate);
   const checker::Result result = checker::check(verdict.certificate_json);
+  if (!result.valid && result.step == "limits") {
+    Verdict undecided;
+    undecided.reason = fmt::format("proved, but limes-check refuses to check so much: {}", result.reason);
+    return undecided;
+  }
   if (!result.valid) {
     throw InternalError(fmt::format("limes-check rejects the certificate of {} {}: {}: {}", scheme.name, statement(claim),
                                     result.step, result.reason));
@@ -73,6 +79,13 @@ Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, Proo
 
 Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
+  for (const RationalFunction& c : scheme.mask.symbol.coefficients()) {
+    if (c.is_polynomial() || prove_strict_sign(c.denominator(), claim.region) != 0) continue;
+    Verdict verdict;
+    verdict.reason = fmt::format("the mask may have a pole in the region: a zero of {}",
+                                 to_string(c.denominator(), scheme.parameter_names()));
+    return verdict;
+  }
   try {
     ProofAttempt direct = attempt_statement(scheme, claim.smoothness, claim.negated, claim.region, limits, stop);
     if (direct.proved) return conclude(scheme, claim, Outcome::certified, std::move(direct));
@@ -87,6 +100,10 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     }
     Verdict verdict;
     verdict.reason = fmt::format("{}; {}", describe_failure(direct, scheme.parameter_names()), opposite_reason);
+    return verdict;
+  } catch (const LimitError& error) {
+    Verdict verdict;
+    verdict.reason = error.reason();
     return verdict;
   } catch (const Interrupted& interrupted) {
     Verdict verdict;

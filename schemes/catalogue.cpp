@@ -79,22 +79,24 @@ std::vector<std::string> Catalogue::names() const {
   return names;
 }
 
-Scheme Catalogue::load(const std::string& name_or_path) const {
-  if (name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string::npos) return read_scheme_file(name_or_path);
+Scheme Catalogue::load(const std::string& name) const {
   const std::vector<std::string> known = names();
-  if (std::find(known.begin(), known.end(), name_or_path) != known.end()) {
-    return read_scheme_file(directory_ / (name_or_path + ".toml"));
-  }
+  if (std::find(known.begin(), known.end(), name) != known.end()) return read_scheme_file(directory_ / (name + ".toml"));
   std::string nearest;
   int best = 4;
-  for (const std::string& name : known) {
-    if (const int distance = edit_distance(name, name_or_path); distance < best) {
+  for (const std::string& candidate : known) {
+    if (const int distance = edit_distance(candidate, name); distance < best) {
       best = distance;
-      nearest = name;
+      nearest = candidate;
     }
   }
-  throw InputError(fmt::format("unknown scheme '{}'{}", name_or_path,
+  throw InputError(fmt::format("unknown scheme '{}'{}", name,
                                nearest.empty() ? "; `limes list` names them, a file ends in .toml" : "; did you mean '" + nearest + "'?"));
+}
+
+Scheme load_scheme(const std::string& name_or_path) {
+  if (name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string::npos) return read_scheme_file(name_or_path);
+  return Catalogue::find().load(name_or_path);
 }
 
 }  // namespace limes

@@ -21,12 +21,14 @@ class Catalogue {
   const std::filesystem::path& directory() const { return directory_; }
   /// Names of all schemes, ordered with numbers by value (b-spline-8 before b-spline-10).
   std::vector<std::string> names() const;
-  /// A catalogue name, or the path of a scheme file when it ends in ".toml" or contains a '/'.
   /// \throws InputError for an unknown name, with the nearest known one.
-  Scheme load(const std::string& name_or_path) const;
+  Scheme load(const std::string& name) const;
 
  private:
   std::filesystem::path directory_;
 };
+
+/// The scheme file at a path, when the text ends in ".toml" or contains a '/'; otherwise the catalogue's scheme of that name.
+Scheme load_scheme(const std::string& name_or_path);
 
 }  // namespace limes

@@ -1,6 +1,6 @@
 // The recursive-descent reader of the grammar in expression.hpp. Brackets and signs, through which all recursion
-// passes, count their nesting, every loop consumes text, and every node is counted: hostile input ends in a LimitError, never
-// in a crash.
+// passes, count their nesting, every loop consumes text, and every node is counted: hostile input ends in a LimitError,
+// never in a crash.
 #include "algebra/expression/expression.hpp"
 
 #include "algebra/error.hpp"
@@ -277,7 +277,9 @@ class Reader {
 
 }  // namespace
 
-Expression read_expression(std::string_view text, const ExpressionLimits& limits) { return Reader(text, limits).read(); }
+Expression read_expression(std::string_view text, const ExpressionLimits& limits) {
+  return Reader(text, limits).read();
+}
 
 bool is_name(std::string_view text) {
   return !text.empty() && is_letter(text.front()) && std::all_of(text.begin(), text.end(), is_name_character);

@@ -1,5 +1,5 @@
-// Evaluation with bounds that are checked before each operation: the size of a result is estimated from above, so that an
-// expression such as ((1+w)^1000)^1000 is refused instead of computed.
+// Evaluation with bounds that are checked before each operation: the size of a result is estimated from above, so that
+// an expression such as ((1+w)^1000)^1000 is refused instead of computed.
 #include "algebra/expression/expression.hpp"
 
 #include "algebra/error.hpp"
@@ -186,7 +186,8 @@ class Evaluator {
   }
 
   void allow_product(const MultivariatePolynomial& numerator_a, const MultivariatePolynomial& denominator_a,
-                     const MultivariatePolynomial& numerator_b, const MultivariatePolynomial& denominator_b, int column) {
+                     const MultivariatePolynomial& numerator_b, const MultivariatePolynomial& denominator_b,
+                     int column) {
     const Size size_a = measured(numerator_a, column);
     const Size size_b = measured(numerator_b, column);
     const Size numerator = product(size_a, size_b);
@@ -204,9 +205,11 @@ class Evaluator {
   }
 
   static void allow(const Size& size, int column) {
-    if (size.total_degree > max_degree) limit(fmt::format("a polynomial of degree above {} would arise", max_degree), column);
+    if (size.total_degree > max_degree)
+      limit(fmt::format("a polynomial of degree above {} would arise", max_degree), column);
     if (size.terms > max_terms) limit(fmt::format("a polynomial of more than {} terms would arise", max_terms), column);
-    if (size.digits() > max_digits) limit(fmt::format("numbers of more than {} digits would arise", max_digits), column);
+    if (size.digits() > max_digits)
+      limit(fmt::format("numbers of more than {} digits would arise", max_digits), column);
   }
 
   // The cost of one multiplication of coefficients.

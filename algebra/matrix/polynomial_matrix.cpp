@@ -20,8 +20,8 @@ std::vector<int> greatest_sums(std::vector<int> numbers) {
   return sums;
 }
 
-// Element k bounds the degree in x_index of the coefficient of lambda^{n-k}, a sum of k x k principal minors: each product in a
-// minor takes one entry from each of k rows, and from each of k columns.
+// Element k bounds the degree in x_index of the coefficient of lambda^{n-k}, a sum of k x k principal minors: each
+// product in a minor takes one entry from each of k rows, and from each of k columns.
 std::vector<int> degree_bounds(const PolynomialMatrix& a, int index) {
   const int n = a.rows();
   std::vector<int> rows(std::size_t(n), 0);
@@ -66,7 +66,8 @@ bool advance(std::vector<int>& position, const std::vector<int>& sizes) {
 }
 
 std::size_t volume(const std::vector<int>& sizes) {
-  return std::accumulate(sizes.begin(), sizes.end(), std::size_t(1), [](std::size_t v, int size) { return v * std::size_t(size); });
+  return std::accumulate(sizes.begin(), sizes.end(), std::size_t(1),
+                         [](std::size_t v, int size) { return v * std::size_t(size); });
 }
 
 // The polynomial with the given values on a tensor grid.
@@ -115,8 +116,8 @@ RationalMatrix PolynomialMatrix::at(std::span<const Rational> point) const {
 
 PolynomialMatrix operator*(const PolynomialMatrix& a, const PolynomialMatrix& b) {
   if (a.columns() != b.rows() || a.variables() != b.variables()) {
-    throw DomainError(fmt::format("a {} x {} matrix in {} variables was multiplied by a {} x {} matrix in {} variables", a.rows(),
-                                  a.columns(), a.variables(), b.rows(), b.columns(), b.variables()));
+    throw DomainError(fmt::format("a {} x {} matrix in {} variables was multiplied by a {} x {} matrix in {} variables",
+                                  a.rows(), a.columns(), a.variables(), b.rows(), b.columns(), b.variables()));
   }
   PolynomialMatrix result(a.variables(), a.rows(), b.columns());
   for (int i = 0; i < a.rows(); ++i) {
@@ -132,7 +133,8 @@ PolynomialMatrix operator*(const PolynomialMatrix& a, const PolynomialMatrix& b)
 
 std::vector<MultivariatePolynomial> characteristic_polynomial(const PolynomialMatrix& a) {
   if (a.rows() != a.columns()) {
-    throw DomainError(fmt::format("the characteristic polynomial of a {} x {} matrix was asked for", a.rows(), a.columns()));
+    throw DomainError(
+        fmt::format("the characteristic polynomial of a {} x {} matrix was asked for", a.rows(), a.columns()));
   }
   const int n = a.rows();
   const int variables = a.variables();

@@ -50,8 +50,8 @@ RationalMatrix RationalMatrix::identity(int size) {
 
 RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b) {
   if (a.columns() != b.rows()) {
-    throw DomainError(fmt::format("a {} x {} matrix was multiplied by a {} x {} matrix", a.rows(), a.columns(), b.rows(),
-                                  b.columns()));
+    throw DomainError(fmt::format("a {} x {} matrix was multiplied by a {} x {} matrix", a.rows(), a.columns(),
+                                  b.rows(), b.columns()));
   }
   RationalMatrix result(a.rows(), b.columns());
   for (int i = 0; i < a.rows(); ++i) {
@@ -66,7 +66,8 @@ RationalMatrix operator*(const RationalMatrix& a, const RationalMatrix& b) {
 
 std::vector<Rational> operator*(const RationalMatrix& a, const std::vector<Rational>& x) {
   if (std::size_t(a.columns()) != x.size()) {
-    throw DomainError(fmt::format("a {} x {} matrix was multiplied by a vector of length {}", a.rows(), a.columns(), x.size()));
+    throw DomainError(
+        fmt::format("a {} x {} matrix was multiplied by a vector of length {}", a.rows(), a.columns(), x.size()));
   }
   std::vector<Rational> result(std::size_t(a.rows()));
   for (int i = 0; i < a.rows(); ++i) {
@@ -79,7 +80,8 @@ std::vector<Rational> operator*(const RationalMatrix& a, const std::vector<Ratio
 
 Polynomial characteristic_polynomial(const RationalMatrix& a) {
   if (a.rows() != a.columns()) {
-    throw DomainError(fmt::format("the characteristic polynomial of a {} x {} matrix was asked for", a.rows(), a.columns()));
+    throw DomainError(
+        fmt::format("the characteristic polynomial of a {} x {} matrix was asked for", a.rows(), a.columns()));
   }
   const int n = a.rows();
   const Integer common = common_denominator(a);

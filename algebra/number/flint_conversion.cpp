@@ -18,4 +18,12 @@ Integer from_fmpz(const fmpz_t x) {
   return result;
 }
 
+void clean_up_flint_at_thread_exit() {
+  struct Cleaner {
+    ~Cleaner() { flint_cleanup(); }
+  };
+  static thread_local const Cleaner cleaner;
+  static_cast<void>(cleaner);
+}
+
 }  // namespace limes

@@ -13,6 +13,10 @@ void to_fmpz(fmpz_t out, const Integer& x);
 Rational from_fmpq(const fmpq_t x);
 Integer from_fmpz(const fmpz_t x);
 
+/// FLINT pools its big integers per thread. Called where FLINT objects are made, this frees the pool when the thread ends;
+/// integers that live on in other threads stay valid.
+void clean_up_flint_at_thread_exit();
+
 /// An fmpq_t or fmpz_t that clears itself.
 struct FlintRational {
   FlintRational() { fmpq_init(data); }

@@ -1,5 +1,5 @@
-// GiNaC prints the numbers and the powers of symbols; their order is ours, because GiNaC orders the terms of a sum and the
-// factors of a product by hashes of addresses, which differ from run to run.
+// GiNaC prints the numbers and the powers of symbols; their order is ours, because GiNaC orders the terms of a sum and
+// the factors of a product by hashes of addresses, which differ from run to run.
 #include "algebra/polynomial/rational_function.hpp"
 
 #include "algebra/error.hpp"
@@ -26,15 +26,16 @@ std::mutex& ginac_mutex() {
 }
 
 constexpr std::string_view greek_names[] = {
-    "Delta", "Gamma",  "Lambda", "Omega", "Phi",    "Pi", "Psi", "Sigma", "Theta", "Upsilon", "Xi",    "alpha",
-    "beta",  "chi",    "delta",  "epsilon", "eta",  "gamma", "iota", "kappa", "lambda", "mu", "nu",   "omega",
-    "phi",   "pi",     "psi",    "rho",   "sigma",  "tau", "theta", "upsilon", "xi", "zeta"};
+    "Delta", "Gamma", "Lambda", "Omega",   "Phi",   "Pi",    "Psi",   "Sigma",   "Theta",  "Upsilon", "Xi", "alpha",
+    "beta",  "chi",   "delta",  "epsilon", "eta",   "gamma", "iota",  "kappa",   "lambda", "mu",      "nu", "omega",
+    "phi",   "pi",    "psi",    "rho",     "sigma", "tau",   "theta", "upsilon", "xi",     "zeta"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // One part of a name: a Greek letter, a number, a letter, or a word in upright type.
 std::string latex_word(std::string_view word) {
-  if (std::find(std::begin(greek_names), std::end(greek_names), word) != std::end(greek_names)) return fmt::format("\\{}", word);
+  if (std::find(std::begin(greek_names), std::end(greek_names), word) != std::end(greek_names))
+    return fmt::format("\\{}", word);
   if (word.size() == 1 || std::all_of(word.begin(), word.end(), is_digit)) return std::string(word);
   return fmt::format("\\mathrm{{{}}}", word);
 }
@@ -78,7 +79,8 @@ std::string latex_term(const MultivariatePolynomial::Term& term, const std::vect
 }
 
 // Terms in descending lexicographic order.
-std::string latex_sum(const std::vector<MultivariatePolynomial::Term>& terms, const std::vector<GiNaC::symbol>& symbols) {
+std::string latex_sum(const std::vector<MultivariatePolynomial::Term>& terms,
+                      const std::vector<GiNaC::symbol>& symbols) {
   if (terms.empty()) return "0";
   std::string result;
   for (const auto& term : terms) {
@@ -94,8 +96,8 @@ std::string latex_sum(const std::vector<MultivariatePolynomial::Term>& terms, co
 
 using Terms = std::vector<MultivariatePolynomial::Term>;
 
-// Makes all coefficients of both integers without a common factor, the first one of the numerator positive; returns whether
-// the sign was changed.
+// Makes all coefficients of both integers without a common factor, the first one of the numerator positive; returns
+// whether the sign was changed.
 bool make_integer(Terms& above, Terms& below) {
   Integer common = 1;
   Integer content = 0;

@@ -206,4 +206,22 @@ LaurentPolynomial power(const LaurentPolynomial& a, int exponent) {
   return result;
 }
 
+MultivariatePolynomial common_denominator(const LaurentPolynomial& a) {
+  MultivariatePolynomial result = MultivariatePolynomial::constant(a.variables(), 1);
+  for (const RationalFunction& c : a.coefficients()) {
+    if (!c.is_polynomial()) result *= *exact_quotient(c.denominator(), gcd(result, c.denominator()));
+  }
+  return result;
+}
+
+std::vector<MultivariatePolynomial> numerators_over(const LaurentPolynomial& a, const MultivariatePolynomial& denominator) {
+  std::vector<MultivariatePolynomial> result;
+  for (const RationalFunction& c : a.coefficients()) {
+    const std::optional<MultivariatePolynomial> factor = exact_quotient(denominator, c.denominator());
+    if (!factor) throw DomainError("numerators_over: not a common denominator");
+    result.push_back(c.numerator() * *factor);
+  }
+  return result;
+}
+
 }  // namespace limes

@@ -66,5 +66,9 @@ std::pair<LaurentPolynomial, LaurentPolynomial> divide(const LaurentPolynomial& 
 /// 1 + z + ... + z^{arity-1} in the given number of variables.
 LaurentPolynomial sigma(int variables, int arity);
 LaurentPolynomial power(const LaurentPolynomial& a, int exponent);
+/// The least common multiple of the coefficients' denominators, with leading coefficient 1.
+MultivariatePolynomial common_denominator(const LaurentPolynomial& a);
+/// The polynomials denominator * c for the coefficients c. \throws DomainError when one of them is no polynomial.
+std::vector<MultivariatePolynomial> numerators_over(const LaurentPolynomial& a, const MultivariatePolynomial& denominator);
 
 }  // namespace limes

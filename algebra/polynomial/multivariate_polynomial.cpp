@@ -54,6 +54,7 @@ const fmpq_mpoly_ctx_struct* flint_context(int variables) {
   if (variables > max_variables) throw LimitError("more than " + std::to_string(max_variables) + " variables");
   // Never freed: static polynomials may outlive any static table.
   static const Contexts& contexts = *new Contexts;
+  clean_up_flint_at_thread_exit();
   return &contexts.context[static_cast<std::size_t>(variables)];
 }
 

@@ -9,7 +9,10 @@
 namespace limes {
 
 struct Polynomial::Impl {
-  Impl() { fmpq_poly_init(poly); }
+  Impl() {
+    clean_up_flint_at_thread_exit();
+    fmpq_poly_init(poly);
+  }
   Impl(const Impl& other) : Impl() { fmpq_poly_set(poly, other.poly); }
   Impl& operator=(const Impl& other) {
     fmpq_poly_set(poly, other.poly);

@@ -1,5 +1,6 @@
-// Sturm's theorem with a chain of primitive integer polynomials: each remainder is a pseudo-remainder divided by its content, so
-// that only signs, which is all that the theorem uses, are those of the classical chain. [Basu, Pollack & Roy 2006, chapter 2]
+// Sturm's theorem with a chain of primitive integer polynomials: each remainder is a pseudo-remainder divided by its
+// content, so that only signs, which is all that the theorem uses, are those of the classical chain. [Basu, Pollack &
+// Roy 2006, chapter 2]
 #include "algebra/polynomial/real_roots.hpp"
 
 #include "algebra/error.hpp"

@@ -1,7 +1,7 @@
 // Roots relative to a circle. After scaling to the unit circle, with p*(z) = z^n p(1/z):
 //   g = gcd(p, p*) holds the roots on the circle and the pairs z, 1/z; it is self-reciprocal, and Sturm's theorem in
 //   x = z + 1/z counts them (x in (-2, 2) is a pair on the circle);
-//   q = p / g has neither, and then the Schur-Cohn form of q is regular with as many positive squares as q has roots inside.
+//   q = p / g has neither, and then the Schur-Cohn form of q is regular, with one positive square per root inside.
 // [Schur 1918; Cohn 1922; Marden 1966, chapter X]
 #include "algebra/polynomial/schur_cohn.hpp"
 
@@ -75,8 +75,8 @@ CircleCount count_self_reciprocal(Polynomial g) {
   return result;
 }
 
-// gcd(q, q*) = 1. The form is sum_{k < n} |row_k|^2 differences of the shifts of q* and q: C = L(q*) L(q*)^T - L(q) L(q)^T with the
-// lower triangular Toeplitz matrices L(q)_{ij} = q_{i-j}.
+// gcd(q, q*) = 1. The form is L(q*) L(q*)^T - L(q) L(q)^T with the lower triangular Toeplitz matrices of the first n
+// coefficients, L(q)_{ij} = q_{i-j}.
 CircleCount count_regular(const Polynomial& q) {
   const int n = q.degree();
   RationalMatrix form(n, n);

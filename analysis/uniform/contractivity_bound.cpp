@@ -27,12 +27,10 @@ std::vector<Integer> scaled(const std::vector<Rational>& row, const Integer& sca
 }
 
 void refine_to(IteratedSymbol& symbol, int level, double max_bytes, const Stop& stop) {
-  while (symbol.level() < level) {
-    if (symbol.bytes_of_next_level() > max_bytes) {
-      throw LimitError(fmt::format("level {} of the difference scheme needs more than {:.0f} MB", symbol.level() + 1, max_bytes / 1e6));
-    }
-    symbol.refine(stop);
+  if (symbol.bytes_at(level) > max_bytes) {
+    throw LimitError(fmt::format("level {} of the difference scheme needs more than {:.0f} MB", level, max_bytes / 1e6));
   }
+  while (symbol.level() < level) symbol.refine(stop);
 }
 
 /// Bernstein coefficients times binomials: the homogeneous coefficients of IteratedSymbol.
@@ -94,18 +92,13 @@ std::vector<double> approx_contractivity_norms(const LaurentPolynomial& b, int a
   }
 }
 
-ContractivityBound::ContractivityBound(const LaurentPolynomial& b, int arity, const Box& box) : arity_(arity) {
+ContractivityBound::ContractivityBound(const LaurentPolynomial& b, const MultivariatePolynomial& denominator, int arity,
+                                       const Box& box)
+    : arity_(arity) {
   const int variables = b.variables();
-  // One common denominator D, then B = D b; parameters at points are substituted by BernsteinForm.
-  MultivariatePolynomial common = MultivariatePolynomial::constant(variables, 1);
-  for (const RationalFunction& c : b.coefficients()) {
-    common = common * *exact_quotient(c.denominator(), gcd(common, c.denominator()));
-  }
-  std::vector<MultivariatePolynomial> polynomials;
-  for (const RationalFunction& c : b.coefficients()) {
-    polynomials.push_back(c.numerator() * *exact_quotient(common, c.denominator()));
-  }
-  polynomials.push_back(common);
+  // B = D b, then D itself; parameters at points are substituted by BernsteinForm.
+  std::vector<MultivariatePolynomial> polynomials = numerators_over(b, denominator);
+  polynomials.push_back(denominator);
 
   std::vector<int> degrees(variables, 0);
   for (const MultivariatePolynomial& p : polynomials) {
@@ -121,7 +114,7 @@ ContractivityBound::ContractivityBound(const LaurentPolynomial& b, int arity, co
     lower_open_.push_back(box[k].lower_open);
     upper_open_.push_back(box[k].upper_open);
   }
-  const int sign = BernsteinForm(common, box, degrees).strict_sign_off_open_faces();
+  const int sign = BernsteinForm(denominator, box, degrees).strict_sign_off_open_faces();
   denominator_is_signed_ = sign != 0;
   if (!denominator_is_signed_) return;
   std::vector<std::vector<Rational>> rows;

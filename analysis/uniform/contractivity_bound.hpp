@@ -13,8 +13,8 @@ namespace limes {
 struct ContractivityLimits {
   /// Highest level l that is tried.
   int max_level = 18;
-  /// Memory for one level's coefficients.
-  double max_bytes = 1e9;
+  /// Memory for one level's coefficients; limes-check, which stores them less densely, refuses much more.
+  double max_bytes = 1e8;
 };
 
 /// ||S_b^l||_inf = max_{0 <= i < p^l} sum_j |b^{[l]}_{i - p^l j}|, exactly.
@@ -31,8 +31,9 @@ std::vector<double> approx_contractivity_norms(const LaurentPolynomial& b, int a
 /// The symbol b on a box, prepared for bounds of many levels: coefficients in Bernstein form over a common denominator.
 class ContractivityBound {
  public:
-  /// \pre every parameter of b has an interval in `box`
-  ContractivityBound(const LaurentPolynomial& b, int arity, const Box& box);
+  /// \param denominator D, a common denominator of the coefficients of b
+  /// \pre every parameter has an interval in `box`
+  ContractivityBound(const LaurentPolynomial& b, const MultivariatePolynomial& denominator, int arity, const Box& box);
 
   /// Whether ||S_b^level|| < 1 is proved at every point of the box: with b = B / D, the polynomial D^l - sum_j |B^{[l]}_j| has, for each residue, only
   /// positive Bernstein coefficients, where |B_j| is bounded by its Bernstein coefficients' moduli (exact for B_j of constant sign), after dividing out

@@ -4,18 +4,14 @@
 
 namespace limes {
 
-FiniteSections::FiniteSections(const LaurentPolynomial& b, int arity)
-    : arity_(arity), size_(0), denominator_(MultivariatePolynomial::constant(b.variables(), 1)) {
+FiniteSections::FiniteSections(const LaurentPolynomial& b, int arity) : FiniteSections(b, common_denominator(b), arity) {}
+
+FiniteSections::FiniteSections(const LaurentPolynomial& b, MultivariatePolynomial denominator, int arity)
+    : arity_(arity), size_(0), denominator_(std::move(denominator)) {
   if (b.is_zero() || arity < 2) throw DomainError("FiniteSections: needs a non-zero symbol and arity >= 2");
   const int n = b.length() - 1;
   size_ = std::max(1, (n + arity - 2) / (arity - 1));
-  for (const RationalFunction& c : b.coefficients()) {
-    denominator_ = denominator_ * *exact_quotient(c.denominator(), gcd(denominator_, c.denominator()));
-  }
-  std::vector<MultivariatePolynomial> entries;
-  for (const RationalFunction& c : b.coefficients()) {
-    entries.push_back(c.numerator() * *exact_quotient(denominator_, c.denominator()));
-  }
+  const std::vector<MultivariatePolynomial> entries = numerators_over(b, denominator_);
   for (int e = 0; e < arity; ++e) {
     PolynomialMatrix section(b.variables(), size_, size_);
     for (int i = 0; i < size_; ++i) {

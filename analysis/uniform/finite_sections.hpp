@@ -13,8 +13,10 @@ namespace limes {
 /// spectral radius lim ||S_b^l||^{1/l}. Smaller index sets give false values.
 class FiniteSections {
  public:
-  /// \pre b != 0, arity >= 2. \throws DomainError
+  /// With D the least common denominator. \pre b != 0, arity >= 2. \throws DomainError
   FiniteSections(const LaurentPolynomial& b, int arity);
+  /// \param denominator D, any common denominator of b
+  FiniteSections(const LaurentPolynomial& b, MultivariatePolynomial denominator, int arity);
 
   int arity() const { return arity_; }
   int size() const { return size_; }

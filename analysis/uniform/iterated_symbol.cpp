@@ -65,9 +65,10 @@ std::size_t IteratedSymbol::stride() const {
   return result;
 }
 
-double IteratedSymbol::bytes_of_next_level() const {
-  const double next_length = static_cast<double>(length_ - 1) * arity_ + static_cast<double>(symbol_.size());
-  return next_length * static_cast<double>(block_size(degrees_, level_ + 1)) * limbs_at(level_ + 1) * sizeof(mp_limb_t);
+double IteratedSymbol::bytes_at(int level) const {
+  double length = 1;
+  for (int l = 0; l < level; ++l) length = length * arity_ + static_cast<double>(symbol_.size()) - arity_;
+  return length * static_cast<double>(block_size(degrees_, level)) * limbs_at(level) * sizeof(mp_limb_t);
 }
 
 std::vector<std::size_t> IteratedSymbol::layout(int level) const {

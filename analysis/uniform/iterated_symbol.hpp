@@ -24,8 +24,8 @@ class IteratedSymbol {
   int level() const { return level_; }
   /// b^{[l]} -> b^{[l+1]}. \throws Interrupted when stop is requested.
   void refine(const Stop& stop);
-  /// Bytes that refine() would need for the arrays of the next level.
-  double bytes_of_next_level() const;
+  /// Bytes of the coefficients of a level (of the symbol itself for level 1).
+  double bytes_at(int level) const;
 
   /// row(r, I) = sum_{j = r mod p^l} |b^{[l]}_{j, I}|: for each residue r the coefficients of an upper bound of the row sum of S_b^l.
   /// Calls visit(row) with the prod_k (l n_k + 1) sums of one residue after the other. visit may return false to end early.

@@ -2,7 +2,6 @@
 #include "apps/limes/options.hpp"
 #include "apps/limes/session.hpp"
 
-#include "algebra/error.hpp"
 #include "proofs/checker/checker.hpp"
 
 #include <fmt/format.h>
@@ -13,10 +12,10 @@
 namespace limes::app {
 namespace {
 
-std::string read_text(const std::filesystem::path& file) {
+std::optional<std::string> read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw InputError("cannot read the file", {file.string(), 0, 0});
+  if (!stream) return std::nullopt;
   return text;
 }
 
@@ -25,20 +24,28 @@ std::string read_text(const std::filesystem::path& file) {
 int run_check(const CheckOptions& options) {
   const Session session(options);
   std::vector<CheckedFile> results;
+  int status = all_as_expected;
   for (const std::filesystem::path& file : options.certificates) {
-    session.stop().check();
-    results.push_back({file.string(), checker::check(read_text(file))});
-  }
-  bool all_valid = true;
-  for (const CheckedFile& checked : results) {
-    const checker::Result& result = checked.result;
-    all_valid = all_valid && result.valid;
+    if (session.stop().requested()) {
+      std::cerr << fmt::format("limes: stopped before {}\n", file.string());
+      status = status == all_as_expected ? undecided_or_interrupted : status;
+      break;
+    }
+    const std::optional<std::string> text = read_text(file);
+    if (!text) {
+      std::cerr << fmt::format("limes: {}: cannot be read\n", file.string());
+      status = bad_input;
+      continue;
+    }
+    results.push_back({file.string(), checker::check(*text)});
+    const checker::Result& result = results.back().result;
+    if (!result.valid && status != bad_input) status = against_expectation;
     if (options.json || (options.quiet && result.valid)) continue;
-    std::cout << (result.valid ? fmt::format("{}: valid: {}\n", checked.file, result.statement)
-                               : fmt::format("{}: invalid: {}: {}\n", checked.file, result.step, result.reason));
+    std::cout << (result.valid ? fmt::format("{}: valid: {}\n", file.string(), result.statement)
+                               : fmt::format("{}: invalid: {}: {}\n", file.string(), result.step, result.reason));
   }
   if (options.json) std::cout << check_json(results);
-  return all_valid ? all_as_expected : against_expectation;
+  return status;
 }
 
 }  // namespace limes::app

@@ -18,6 +18,10 @@ int run_list(const ListOptions& options) {
     std::cout << list_json(schemes);
     return all_as_expected;
   }
+  if (options.quiet) {
+    for (const Scheme& scheme : schemes) std::cout << scheme.name << "\n";
+    return all_as_expected;
+  }
   TextTable table({{"scheme"}, {"kind"}, {"claims", 0, TextTable::Align::right}, {"title"}});
   for (const Scheme& scheme : schemes) {
     table.fit(0, scheme.name);

@@ -14,7 +14,7 @@ using namespace limes::app;
 
 void add_common(CLI::App& verb, CommonOptions& options) {
   verb.add_flag("--json", options.json, "Print one JSON object and nothing else on standard output");
-  verb.add_flag("--quiet", options.quiet, "Print failures only");
+  verb.add_flag("--quiet", options.quiet, "Print no more than is asked for: failures only, or the bare result");
   verb.add_option("--threads", options.threads, "Number of threads (default: all cores)")->check(CLI::Range(1, 1024));
   verb.add_option("--seed", options.seed, "Seed of randomised searches; results do not depend on it unless a verb says so");
   verb.add_option("--budget", options.budget, "Stop after so many seconds, keeping what is finished (exit status 3)")
@@ -44,7 +44,7 @@ int run(int argc, char** argv) {
   verify_verb->add_option("scheme", verify.schemes, "Catalogue names or scheme files")->type_name("SCHEME");
   verify_verb->add_option("--claim", verify.claim, "Decide this claim, e.g. C2 or \"not C3\", instead of the file's own");
   verify_verb->add_option("--param", verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]")
-      ->type_name("NAME=VALUE")->expected(1);
+      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   verify_verb->add_option("--certificates", verify.certificates, "Directory for the certificates")
       ->type_name("DIR")->capture_default_str();
   add_common(*verify_verb, verify);
@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
   norm_verb->add_option("scheme", norm.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   norm_verb->add_option("--order", norm.order, "M: b = p^M a / sigma^{M+1}")->required()->check(CLI::Range(-1, 64))->type_name("M");
   norm_verb->add_option("--level", norm.level, "L >= 1")->required()->check(CLI::Range(1, 40))->type_name("L");
-  norm_verb->add_option("--param", norm.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1);
+  norm_verb->add_option("--param", norm.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   add_common(*norm_verb, norm);
 
   try {

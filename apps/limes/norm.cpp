@@ -15,7 +15,7 @@ namespace limes::app {
 
 int run_norm(const NormOptions& options) {
   const Session session(options);
-  const Scheme scheme = Catalogue::find().load(options.scheme);
+  const Scheme scheme = load_scheme(options.scheme);
   const Box region = region_from_settings(scheme, options.parameters);
   for (std::size_t k = 0; k < region.size(); ++k) {
     if (region[k].is_point()) continue;
@@ -30,6 +30,8 @@ int run_norm(const NormOptions& options) {
   const Rational norm = exact_contractivity_norm(*b, mask.arity, options.level, session.stop());
   if (options.json) {
     std::cout << norm_json(norm, options.order, options.level);
+  } else if (options.quiet) {
+    std::cout << to_string(norm) << "\n";
   } else {
     std::cout << fmt::format("||S_b^{}|| = {}\n", options.level, to_string(norm));
     std::cout << fmt::format("{} {} ({} 1)\n", denominator(norm) == 1 ? "=" : "<=", to_decimal(norm, 12, Rounding::up),

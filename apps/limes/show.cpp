@@ -48,9 +48,7 @@ void print_text(const Scheme& scheme) {
   const auto line = [](const std::string& key, const std::string& value) { std::cout << fmt::format("  {:<14}{}\n", key, value); };
   line("kind", fmt::format("{}, arity {}", to_string(scheme.kind), mask.arity));
   if (!scheme.sources.empty()) line("source", fmt::format("{}", fmt::join(scheme.sources, ", ")));
-  for (const Parameter& parameter : scheme.parameters) {
-    line("parameter", fmt::format("{} in {}", parameter.name, to_string(parameter.range)));
-  }
+  if (!scheme.parameters.empty()) line("parameters", region_text(scheme, scheme.parameter_box()));
   if (!scheme.rule.empty()) line("rule", scheme.rule);
   line("mask", fmt::format("a_{} .. a_{} = {}", mask.symbol.lowest(), mask.symbol.highest(),
                            fmt::join(texts(mask.symbol, names, false), ", ")));
@@ -71,11 +69,15 @@ void print_latex(const Scheme& scheme) {
   const int order = sum_rule_order(scheme.mask);
   const int p = scheme.mask.arity;
   const LaurentPolynomial b = *difference_symbol(scheme.mask, order);
+  const auto power = [](int exponent, const std::string& c) -> std::string {
+    if (exponent == 0) return c == "1" ? "1" : "";
+    return exponent == 1 ? "z" : fmt::format("z^{{{}}}", exponent);
+  };
   const auto polynomial = [&](const LaurentPolynomial& symbol) {
     std::string text;
     int exponent = symbol.lowest();
     for (const std::string& c : texts(symbol, names, true)) {
-      if (c != "0") text += fmt::format("{}\\left({}\\right)z^{{{}}}", text.empty() ? "" : "+", c, exponent);
+      if (c != "0") text += fmt::format("{}{}{}", text.empty() ? "" : "+", c == "1" ? "" : "\\left(" + c + "\\right)", power(exponent, c));
       ++exponent;
     }
     return text;
@@ -88,7 +90,7 @@ void print_latex(const Scheme& scheme) {
 }  // namespace
 
 int run_show(const ShowOptions& options) {
-  const Scheme scheme = Catalogue::find().load(options.scheme);
+  const Scheme scheme = load_scheme(options.scheme);
   if (options.json) {
     std::cout << show_json(scheme);
   } else if (options.latex) {

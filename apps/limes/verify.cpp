@@ -21,12 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<Scheme> load_schemes(const VerifyOptions& options) {
-  const Catalogue catalogue = Catalogue::find();
-  const std::vector<std::string> names = options.schemes.empty() ? catalogue.names() : options.schemes;
+  const std::vector<std::string> names = options.schemes.empty() ? Catalogue::find().names() : options.schemes;
   std::vector<Scheme> schemes;
   std::set<std::string> seen;
   for (const std::string& name : names) {
-    schemes.push_back(catalogue.load(name));
+    schemes.push_back(load_scheme(name));
     if (!seen.insert(schemes.back().name).second) {
       throw InputError(fmt::format("two schemes are named '{}'; their certificates would overwrite each other", schemes.back().name),
                        {schemes.back().file.string(), 0, 0});
@@ -58,10 +57,11 @@ std::vector<Claim> claims_to_decide(const Scheme& scheme, const VerifyOptions& o
   return claims;
 }
 
-std::string certificate_name(const Scheme& scheme, const Claim& claim, std::size_t index) {
+/// "four-point.2.C1.json" for the file's second claim, "four-point.asked.1.C1.json" for the first one of the command line.
+std::string certificate_name(const Scheme& scheme, const Claim& claim, std::size_t index, bool asked) {
   std::string claim_text = statement(claim);
   std::replace(claim_text.begin(), claim_text.end(), ' ', '-');
-  return fmt::format("{}.{}.{}.json", scheme.name, index + 1, claim_text);
+  return fmt::format("{}.{}{}.{}.json", scheme.name, asked ? "asked." : "", index + 1, claim_text);
 }
 
 class Verification {
@@ -70,11 +70,12 @@ class Verification {
       : options_(options), session_(options), progress_(!options.quiet),
         table_({{"scheme"}, {"claim"}, {"region"}, {"verdict", 10}, {"level", 0, TextTable::Align::right},
                 {"leaves", 0, TextTable::Align::right}, {"time", 8, TextTable::Align::right}}) {
+    const bool asked = options.claim || !options.parameters.empty();
     for (const Scheme& scheme : schemes) {
       const std::vector<Claim> claims = claims_to_decide(scheme, options);
       for (std::size_t k = 0; k < claims.size(); ++k) {
         results_.push_back({.scheme = &scheme, .claim = claims[k], .verdict = {}, .seconds = 0, .certificate = {}});
-        files_.push_back(options.certificates / certificate_name(scheme, claims[k], k));
+        files_.push_back(options.certificates / certificate_name(scheme, claims[k], k, asked));
         table_.fit(0, scheme.name);
         table_.fit(1, statement(claims[k]));
         table_.fit(2, region_text(scheme, claims[k].region));
@@ -118,6 +119,10 @@ class Verification {
     if (result.verdict.certificate) {
       write_file(files_[k], result.verdict.certificate_json);
       result.certificate = files_[k].string();
+    } else {
+      // A certificate of an earlier run must not be taken for one of this run.
+      std::error_code ignored;
+      fs::remove(files_[k], ignored);
     }
     const std::scoped_lock lock(mutex_);
     done_[k] = true;

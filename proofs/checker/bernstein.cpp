@@ -33,14 +33,15 @@ double limbs(const Bernstein& p) {
   return result;
 }
 
-Bernstein to_bernstein(const std::vector<Polynomial>& polynomials, const Region& box, const std::vector<std::size_t>& axes,
-                       const std::vector<int>& degrees, Budget& budget) {
+Bernstein to_bernstein(const std::vector<Polynomial>& polynomials, const Region& box,
+                       const std::vector<std::size_t>& axes, const std::vector<int>& degrees, Budget& budget) {
   double size = 2, tables = 0, terms = 0;
   // x = (a s + b t) / g along axis k, so g^n x^e = (a s + b t)^e (g s + g t)^{n-e}; this is monomials[k][e].
   std::vector<std::vector<Bernstein>> monomials(axes.size());
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const mpq_class &lower = box[axes[k]].lower.value, &upper = box[axes[k]].upper.value;
-    const mpz_class g = lcm(lower.get_den(), upper.get_den()), a = mpq_class(lower * g).get_num(), b = mpq_class(upper * g).get_num();
+    const mpz_class g = lcm(lower.get_den(), upper.get_den());
+    const mpz_class a = mpq_class(lower * g).get_num(), b = mpq_class(upper * g).get_num();
     const double n = degrees[k] + 1, length = n * std::max({limbs(a), limbs(b), limbs(g)});
     budget.work(n * n * n * cost(length, length));
     budget.hold(n * n * (32 + 8 * length));
@@ -78,7 +79,7 @@ Bernstein to_bernstein(const std::vector<Polynomial>& polynomials, const Region&
 
 Bernstein convolve(const Bernstein& p, const Bernstein& q, std::size_t spacing) {
   Bernstein result{p.degrees, {}};
-  std::vector<std::size_t> p_places{0}, q_places{0};  // of every multi-index of p and q in an array of the result's shape
+  std::vector<std::size_t> p_places{0}, q_places{0};  // of p's and q's multi-indices in the result's shape
   for (std::size_t k = 0; k < p.degrees.size(); ++k) {
     result.degrees[k] += q.degrees[k];
     for (auto [places, degree] : {std::pair{&p_places, p.degrees[k]}, std::pair{&q_places, q.degrees[k]}}) {
@@ -115,23 +116,18 @@ Bernstein power(const Bernstein& p, int n) {
 bool is_positive(const std::vector<mpz_class>& coefficients, const std::vector<int>& degrees, const Region& box) {
   const std::size_t axes = degrees.size();
   std::vector<int> index(axes, 0), least = degrees, greatest(axes, -1);
-  const auto advance = [&] {
-    for (std::size_t k = axes; k-- > 0 && ++index[k] > degrees[k];) index[k] = 0;
-  };
   bool any = false;
-  for (const auto& c : coefficients) {
-    any = any || c != 0;
-    for (std::size_t k = 0; k < axes && c != 0; ++k) {
-      least[k] = std::min(least[k], index[k]);
-      greatest[k] = std::max(greatest[k], index[k]);
+  for (const bool measure : {true, false}) {  // the box of indices where coefficients are not zero; their signs there
+    for (const auto& c : coefficients) {
+      bool inside = true;
+      for (std::size_t k = 0; k < axes; ++k) {
+        if (measure && c != 0) least[k] = std::min(least[k], index[k]), greatest[k] = std::max(greatest[k], index[k]);
+        inside = inside && index[k] >= least[k] && index[k] <= greatest[k];
+      }
+      if (!measure && inside && c <= 0) return false;
+      any = any || c != 0;
+      for (std::size_t k = axes; k-- > 0 && ++index[k] > degrees[k];) index[k] = 0;  // the next index; at the end 0
     }
-    advance();  // after the last one, index is zero again
-  }
-  for (const auto& c : coefficients) {
-    bool inside = true;
-    for (std::size_t k = 0; k < axes; ++k) inside = inside && index[k] >= least[k] && index[k] <= greatest[k];
-    if (inside && c <= 0) return false;
-    advance();
   }
   for (std::size_t k = 0; k < axes; ++k)
     if ((least[k] > 0 && !box[k].lower.after) || (greatest[k] < degrees[k] && box[k].upper.after)) return false;

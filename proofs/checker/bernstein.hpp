@@ -5,10 +5,10 @@
 
 namespace limes::checker {
 
-/// Polynomials c_0, c_1, .. (the coefficients of a symbol in z, or a single one) on the closure of a box, all in the same
-/// multidegree n, as *scaled* Bernstein coefficients: with t_k from 0 to 1 along axis k and s_k = 1 - t_k,
+/// Polynomials c_0, c_1, .. (the coefficients of a symbol in z, or a single one) on the closure of a box, all in the
+/// same multidegree n, as *scaled* Bernstein coefficients: with t_k from 0 to 1 along axis k and s_k = 1 - t_k,
 ///
-///     c_j = sum_I c_{j,I} prod_k t_k^{I_k} s_k^{n_k - I_k},      c_{j,I} = (Bernstein coefficient) prod_k binom(n_k, I_k).
+///     c_j = sum_I c_{j,I} prod_k t_k^{I_k} s_k^{n_k - I_k},  c_{j,I} = (Bernstein coefficient) prod_k binom(n_k, I_k).
 ///
 /// They have the signs of the Bernstein coefficients, the product of two polynomials is the convolution of their scaled
 /// coefficients, and after a common positive factor all of them are integers. The last axis runs fastest.
@@ -22,21 +22,22 @@ struct Bernstein {
   bool is_zero(std::size_t j) const;
 };
 
-/// prod_k (multiple n_k + 1), the greatest limbs, and the nanoseconds of a multiplication: estimates that cannot overflow.
+/// prod_k (multiple n_k + 1), the greatest limbs, and the nanoseconds of a multiplication: estimates that cannot
+/// overflow.
 double tensor_size(const std::vector<int>& degrees, double multiple);
 double limbs(const Bernstein& p);
-inline double cost(double limbs_x, double limbs_y) { return 15 + 0.7 * limbs_x * limbs_y; }
+inline double cost(double limbs_x, double limbs_y) { return 30 + 0.7 * limbs_x * limbs_y; }
 
 /// The polynomials times one common positive number. \pre the box has no points but for parameters that do not occur;
 /// `axes` are the others, `degrees` their degrees n
-Bernstein to_bernstein(const std::vector<Polynomial>& polynomials, const Region& box, const std::vector<std::size_t>& axes,
-                       const std::vector<int>& degrees, Budget& budget);
+Bernstein to_bernstein(const std::vector<Polynomial>& polynomials, const Region& box,
+                       const std::vector<std::size_t>& axes, const std::vector<int>& degrees, Budget& budget);
 /// The symbol p(z) q(z^spacing); of two single polynomials, their product.
 Bernstein convolve(const Bernstein& p, const Bernstein& q, std::size_t spacing = 1);
 Bernstein power(const Bernstein& p, int n);
 
-/// Whether the coefficients (of one polynomial) are positive apart from faces at open ends where they are all zero: then
-/// p = prod t_k^{kappa_k} s_k^{kappa'_k} r with r > 0 on the closed box, so p > 0 on the box itself.
+/// Whether the coefficients (of one polynomial) are positive apart from faces at open ends where they are all zero:
+/// then p = prod t_k^{kappa_k} s_k^{kappa'_k} r with r > 0 on the closed box, so p > 0 on the box itself.
 bool is_positive(const std::vector<mpz_class>& coefficients, const std::vector<int>& degrees, const Region& box);
 
 }  // namespace limes::checker

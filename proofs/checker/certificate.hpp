@@ -5,7 +5,8 @@
 
 namespace limes::checker {
 
-/// (S f)_i = sum_j a_{i - arity j} f_j with a_{first_index + k} = mask[k] / denominator; the first index proves nothing.
+/// (S f)_i = sum_j a_{i - arity j} f_j with a_{first_index + k} = mask[k] / denominator; the first index proves
+/// nothing.
 struct Scheme {
   std::string name;
   std::vector<std::string> parameters;
@@ -28,24 +29,25 @@ struct Certificate {
   bool negated = false;  ///< "not C<order>"
   int order = 0;
   Region region;
-  bool certified = false;       ///< or refuted
-  bool theorem_u1 = false;      ///< or U2
-  bool interpolatory = false;   ///< or linear independence; of U2
+  bool certified = false;      ///< or refuted
+  bool theorem_u1 = false;     ///< or U2
+  bool interpolatory = false;  ///< or linear independence; of U2
   std::vector<Leaf> leaves;
 };
 
 /// \throws Rejected at "json", "format", "scheme", "claim", "proof" or "limits"
 Certificate read_certificate(std::string_view text, Budget& budget);
 
-/// The scheme on one leaf: point parameters substituted, the others in Bernstein form in the multidegree n of the greatest
-/// degrees of D and the A_i. The symbol A(z) is shifted so that its first and last coefficient are not the zero polynomial.
+/// The scheme on one leaf: point parameters substituted, the others in Bernstein form in the multidegree n of the
+/// greatest degrees of D and the A_i. The symbol A(z) is shifted so that its first and last coefficient are not the
+/// zero polynomial.
 struct LocalScheme {
   int arity = 0;
-  Region box;                        ///< of the parameters that are not points
-  Bernstein denominator, mask;       ///< D > 0 on the leaf; A(z), a = A / D
-  Bernstein remainder;               ///< of A(z) by sigma(z)^{m+1}
-  bool has_factor = false;           ///< the remainder is zero, and then
-  Bernstein quotient, quotient_denominator;  ///< B(z) = p^m A(z) / sigma(z)^{m+1} and D, without a common factor: b = B / D
+  Region box;                   ///< of the parameters that are not points
+  Bernstein denominator, mask;  ///< D > 0 on the leaf; A(z), a = A / D
+  Bernstein remainder;          ///< of A(z) by sigma(z)^{m+1}
+  bool has_factor = false;      ///< the remainder is zero, and then
+  Bernstein quotient;           ///< B(z) = p^m A(z) / sigma(z)^{m+1}, b = B / D
 };
 
 /// \throws Rejected at "denominator" when D has no proven strict sign on the leaf

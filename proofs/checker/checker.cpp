@@ -24,7 +24,7 @@ void for_each_leaf(const Certificate& certificate, const std::function<void(cons
 /// A label is shown as it is when it cannot be mistaken for a part of the statement.
 std::string shown(const std::string& name) {
   const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
   if (plain) return name;
   std::string result = "\"";
@@ -62,7 +62,8 @@ std::string prove(std::string_view text) {
   if (certificate.certified) {
     std::vector<Region> regions;
     for (const Leaf& leaf : certificate.leaves) regions.push_back(leaf.region);
-    if (!covers(regions, certificate.region, budget)) throw Rejected{"covering", "the leaves do not cover the claimed region"};
+    if (!covers(regions, certificate.region, budget))
+      throw Rejected{"covering", "the leaves do not cover the claimed region"};
   }
   const auto localize = [&](const Leaf& leaf) {
     return restrict_to_leaf(certificate.scheme, certificate.order, leaf.region, budget);
@@ -73,8 +74,10 @@ std::string prove(std::string_view text) {
   });
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     const LocalScheme local = localize(leaf);
-    if (certificate.theorem_u1) prove_u1(local, leaf.level);
-    else prove_u2(local, certificate.interpolatory, leaf, budget);
+    if (certificate.theorem_u1)
+      prove_u1(local, leaf.level);
+    else
+      prove_u2(local, certificate.interpolatory, leaf, budget);
   });
   return statement(certificate);
 }

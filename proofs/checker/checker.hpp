@@ -14,8 +14,9 @@ struct Result {
   std::string statement;  ///< of a valid certificate: what is proved
 };
 
-/// Checks a certificate (docs/certificate.md) from its text alone, in exact arithmetic. Never throws; the work is estimated
-/// before it is done, and a certificate that asks for more than about 20 s or 1 GiB is invalid at the step "limits".
+/// Checks a certificate (docs/certificate.md) from its text alone, in exact arithmetic. Never throws; the work is
+/// estimated before it is done, and a certificate that asks for more than about 20 s or 1 GiB is invalid at the step
+/// "limits".
 Result check(std::string_view certificate_json);
 
 }  // namespace limes::checker

@@ -24,8 +24,8 @@ bool covered(const Cell& cell, const std::vector<const Cell*>& leaves, Budget& b
     if (contains) return true;
     if (meets) touching.push_back(leaf);
   }
-  // A leaf that meets the cell without containing it ends inside the cell. Splitting at the middle one of these ends along
-  // the axis that has the most keeps the recursion shallow.
+  // A leaf that meets the cell without containing it ends inside the cell. Splitting at the middle one of these ends
+  // along the axis that has the most keeps the recursion shallow.
   std::size_t axis = 0;
   std::vector<long> ends;
   for (std::size_t k = 0; k < cell.size(); ++k) {

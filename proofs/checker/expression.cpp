@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 //     expression = term { ("+" | "-") term }        factor  = "-" factor | primary [ "^" digits ]
-//     term       = factor { ("*" | "/") factor }    primary = digits | name | "(" expression ")"     spaces between tokens
+//     term       = factor { ("*" | "/") factor }    primary = digits | name | "(" expression ")"     (and blanks)
 #include "proofs/checker/polynomial.hpp"
 
 #include <algorithm>
@@ -26,7 +26,8 @@ class Parser {
 
  private:
   [[noreturn]] void fail(const std::string& why) const {
-    throw Rejected{"scheme", "the expression " + quoted(text_) + " " + why + " at column " + std::to_string(position_ + 1)};
+    const std::string column = std::to_string(position_ + 1);
+    throw Rejected{"scheme", "the expression " + quoted(text_) + " " + why + " at column " + column};
   }
   bool take(char c) {
     while (position_ < text_.size() && text_[position_] == ' ') ++position_;
@@ -84,18 +85,15 @@ class Parser {
       result.numerator = times(result.numerator, constant(-1));
       return result;
     }
-    Fraction base = primary();
+    const Fraction base = primary();
     if (!take('^')) return base;
     take(' ');
     const std::string_view digits = token(is_digit);
     const int exponent = digits.empty() || digits.size() > 4 ? 1001 : std::stoi(std::string(digits));
     if (exponent > 1000) fail("needs an integer exponent from 0 to 1000");
-    Fraction result{base.denominator, base.denominator};  // base^0 is 1 where the base has a value
-    if (exponent > 0) result = {constant(1), constant(1)};
-    for (int n = exponent; n > 0; n /= 2) {
-      if (n % 2 == 1) result = product(result, base);
-      if (n > 1) base = product(base, base);
-    }
+    if (exponent == 0) return {base.denominator, base.denominator};  // 1 where the base has a value
+    Fraction result = base;
+    for (int n = 1; n < exponent; ++n) result = product(result, base);
     return result;
   }
   Fraction primary() {
@@ -130,7 +128,8 @@ class Parser {
 }  // namespace
 
 bool is_name(std::string_view text) {
-  return !text.empty() && text.size() <= 64 && is_letter(text[0]) && std::all_of(text.begin(), text.end(), is_name_part);
+  const bool fits = !text.empty() && text.size() <= 64;
+  return fits && is_letter(text[0]) && std::all_of(text.begin(), text.end(), is_name_part);
 }
 
 Fraction read_expression(std::string_view text, const std::vector<std::string>& parameters, Budget& budget) {

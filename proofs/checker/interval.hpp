@@ -14,8 +14,8 @@ struct Rejected {
   std::string step, reason;
 };
 
-/// What a certificate may cost: work in estimated nanoseconds *before* it is done, memory in bytes. start_leaf() forgets the
-/// memory of the last leaf.
+/// What a certificate may cost: work in estimated nanoseconds *before* it is done, memory in bytes. start_leaf()
+/// forgets the memory of the last leaf.
 class Budget {
  public:
   void work(double nanoseconds) {
@@ -36,8 +36,8 @@ class Budget {
 inline double limbs(const mpz_class& x) { return static_cast<double>(mpz_size(x.get_mpz_t())) + 1; }
 inline double limbs(const mpq_class& x) { return limbs(x.get_num()) + limbs(x.get_den()); }
 
-/// A place on the line just before or just after a rational. Cuts are totally ordered, and two different cuts have a point
-/// between them; so inclusion and covering of intervals with open and closed ends is comparison of cuts.
+/// A place on the line just before or just after a rational. Cuts are totally ordered, and two different cuts have a
+/// point between them; so inclusion and covering of intervals with open and closed ends is comparison of cuts.
 struct Cut {
   mpq_class value;
   bool after = false;

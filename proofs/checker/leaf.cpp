@@ -6,17 +6,6 @@
 namespace limes::checker {
 namespace {
 
-/// Divides two families that only matter up to a common positive factor by their greatest common divisor.
-void remove_content(Bernstein& p, Bernstein& q, Budget& budget) {
-  const double size = std::max(limbs(p), limbs(q));
-  budget.work(static_cast<double>(p.coefficients.size() + q.coefficients.size()) * (100 + 3 * size * size));
-  mpz_class content = 0;
-  for (const auto* family : {&p, &q})
-    for (const auto& c : family->coefficients) content = gcd(content, c);
-  for (auto* family : {&p, &q})
-    for (auto& c : family->coefficients) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), content.get_mpz_t());
-}
-
 /// Long division of a symbol by a monic polynomial in z: the quotient, while `symbol` becomes the remainder.
 Bernstein divide(Bernstein& symbol, const std::vector<mpz_class>& divisor, Budget& budget) {
   const std::size_t size = symbol.size(), degree = divisor.size() - 1;
@@ -26,7 +15,8 @@ Bernstein divide(Bernstein& symbol, const std::vector<mpz_class>& divisor, Budge
   budget.work(static_cast<double>(quotient_count * size * divisor.size()) * cost(limbs(symbol) + middle, middle));
   for (std::size_t i = quotient_count * size; i-- > 0;) {
     quotient.coefficients[i] = symbol.coefficients[i + degree * size];
-    for (std::size_t k = 0; k <= degree; ++k) symbol.coefficients[i + k * size] -= quotient.coefficients[i] * divisor[k];
+    for (std::size_t k = 0; k <= degree; ++k)
+      symbol.coefficients[i + k * size] -= quotient.coefficients[i] * divisor[k];
   }
   symbol.coefficients.resize(std::min(symbol.count(), degree) * size);
   return quotient;
@@ -70,7 +60,6 @@ LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf
   const auto begin = local.mask.coefficients.begin();
   const auto place = [&](std::size_t j) { return begin + static_cast<std::ptrdiff_t>(j * local.mask.size()); };
   local.mask.coefficients = std::vector<mpz_class>(place(first), place(last));
-  remove_content(local.mask, local.denominator, budget);
 
   std::vector<mpz_class> factor{1};  // sigma(z)^{m+1}
   budget.work(20. * scheme.arity * scheme.arity * (order + 1) * (order + 1));
@@ -84,11 +73,9 @@ LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf
   local.quotient = divide(local.remainder, factor, budget);
   local.has_factor = std::all_of(local.remainder.coefficients.begin(), local.remainder.coefficients.end(),
                                  [](const mpz_class& c) { return c == 0; });
-  local.quotient_denominator = local.denominator;
   mpz_class scale;
   mpz_ui_pow_ui(scale.get_mpz_t(), static_cast<unsigned long>(scheme.arity), static_cast<unsigned long>(order));
   for (auto& c : local.quotient.coefficients) c *= scale;
-  remove_content(local.quotient, local.quotient_denominator, budget);
   return local;
 }
 

@@ -46,7 +46,8 @@ bool read_file(const std::string& path, std::string& text) {
 std::size_t utf8_length(const std::string& text, std::size_t i) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
   const unsigned first = byte(i);
-  const std::size_t length = first < 0x80 ? 1 : first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3 : first >= 0xF0 && first < 0xF5 ? 4 : 0;
+  if ((first >= 0x80 && first < 0xC2) || first >= 0xF5) return 0;
+  const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
   for (std::size_t k = 1; k < length; ++k)
     if ((byte(i + k) & 0xC0u) != 0x80u) return 0;
   const unsigned second = byte(i + 1);
@@ -111,14 +112,14 @@ int run(const std::vector<std::string>& arguments) {
       status = 2;
       continue;
     }
-    const auto result = limes::checker::check(text);
-    if (!result.valid && status == 0) status = 1;
+    const auto [valid, step, reason, statement] = limes::checker::check(text);
+    if (!valid && status == 0) status = 1;
     if (json) {
       results += std::string(results.empty() ? "" : ",") + "\n  {\"file\": " + json_string(file) +
-                 ", \"valid\": " + (result.valid ? "true" : "false") + ", \"step\": " + json_string(result.step) +
-                 ", \"reason\": " + json_string(result.reason) + ", \"statement\": " + json_string(result.statement) + "}";
-    } else if (!quiet) {
-      std::cout << file << ": " << (result.valid ? "valid: " + result.statement : "invalid: " + result.step + ": " + result.reason) << '\n';
+                 ", \"valid\": " + (valid ? "true" : "false") + ", \"step\": " + json_string(step) +
+                 ", \"reason\": " + json_string(reason) + ", \"statement\": " + json_string(statement) + "}";
+    } else if (!quiet || !valid) {
+      std::cout << file << (valid ? ": valid: " + statement : ": invalid: " + step + ": " + reason) << '\n';
     }
   }
   if (json) std::cout << "{\"results\": [" << results << (results.empty() ? "" : "\n") << "]}\n";

@@ -58,8 +58,8 @@ class Reader {
     return value.get_ref<const std::string&>();
   }
   int integer(const Json& value, const std::string& what, int low, int high) const {
-    const bool small = value.is_number_integer() && (!value.is_number_unsigned() || value.get<std::uint64_t>() < 1u << 31);
-    if (!small || value.get<std::int64_t>() < low || value.get<std::int64_t>() > high)
+    const bool huge = value.is_number_unsigned() && value.get<std::uint64_t>() >= 1u << 31;
+    if (!value.is_number_integer() || huge || value.get<std::int64_t>() < low || value.get<std::int64_t>() > high)
       fail("needs an integer from " + std::to_string(low) + " to " + std::to_string(high) + " as " + what);
     return value.get<int>();
   }
@@ -94,12 +94,16 @@ class Reader {
 Scheme read_scheme(const Json& json, Budget& budget) {
   const Reader reader(json, "scheme", "the scheme", {"kind", "name", "parameters", "arity", "first_index", "mask"});
   reader.is_first("kind", "uniform", "uniform");
-  Scheme scheme{reader.text(reader.at("name"), "name"), {}, reader.integer(reader.at("arity"), "arity", 2, 16), {}, constant(1)};
-  for (std::size_t i = 0; i < scheme.name.size(); ++i) {
-    const auto byte = [&](std::size_t k) { return k < scheme.name.size() ? static_cast<unsigned char>(scheme.name[k]) : 0; };
-    if (byte(i) < 0x20 || byte(i) == 0x7F || (byte(i) == 0xC2 && byte(i + 1) < 0xA0)) reader.fail("has a control character in its name");
-  }
+  Scheme scheme{reader.text(reader.at("name"), "name"), {}, 0, {}, constant(1)};
   if (scheme.name.empty() || scheme.name.size() > 200) reader.fail("needs a name of 1 to 200 bytes");
+  unsigned char before = 0;
+  for (const char c : scheme.name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool high = before == 0xC2 && byte < 0xA0;  // U+0080 .. U+009F
+    if (byte < 0x20 || byte == 0x7F || high) reader.fail("has a control character in its name");
+    before = byte;
+  }
+  scheme.arity = reader.integer(reader.at("arity"), "arity", 2, 16);
   for (const Json& name : reader.list("parameters", 0, max_parameters)) {
     if (!is_name(reader.text(name, "a parameter"))) reader.fail("has a parameter that is no name");
     if (std::count(scheme.parameters.begin(), scheme.parameters.end(), name) > 0) reader.fail("has a parameter twice");
@@ -142,7 +146,8 @@ Leaf read_leaf(const Json& json, const std::string& where, const Certificate& ce
 
 Certificate read_certificate(std::string_view text, Budget& budget) {
   const Json json = parse(text);
-  const Reader reader(json, "format", "the certificate", {"format", "version", "scheme", "claim", "verdict", "theorem", "proof"});
+  const Reader reader(json, "format", "the certificate",
+                      {"format", "version", "scheme", "claim", "verdict", "theorem", "proof"});
   reader.is_first("format", "limes-certificate", "limes-certificate");
   reader.integer(reader.at("version"), "version", 1, 1);
   Certificate result;
@@ -157,7 +162,7 @@ Certificate read_certificate(std::string_view text, Budget& budget) {
   if (result.order > 64) claim.fail("needs C<m> or not C<m> with m from 0 to 64 as statement");
   result.region = claim.region(result.scheme.parameters, budget);
   // U1 proves C^m and so refutes not C^m; U2 the other way round.
-  if (result.theorem_u1 == (result.certified == result.negated)) claim.fail("is not what the theorem proves or refutes");
+  if (result.theorem_u1 == (result.certified == result.negated)) claim.fail("is not what the theorem can decide so");
 
   std::vector<std::string> keys{"leaves"};
   if (!result.theorem_u1) keys.push_back("stability");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Theorem U2: let S_a be interpolatory, or let the integer shifts of its refinable function be linearly independent. If S_a is
-// C^m, then sigma^{m+1} divides a, and S_b is a contraction; so a remainder that does not vanish, or a product of the matrices
-// B_e with spectral radius >= 1, shows that S_a is not C^m (Dyn & Levin, Acta Numerica 2002).
+// Theorem U2: let S_a be interpolatory, or let the integer shifts of its refinable function be linearly independent. If
+// S_a is C^m, then sigma^{m+1} divides a, and S_b is a contraction; so a remainder that does not vanish, or a product
+// of the matrices B_e with spectral radius >= 1, shows that S_a is not C^m (Dyn & Levin, Acta Numerica 2002).
 #include "proofs/checker/certificate.hpp"
 
 #include <algorithm>
@@ -12,21 +12,24 @@ namespace {
 
 using Coefficients = std::vector<mpz_class>;
 
-// ---- Stability ------------------------------------------------------------------------------------------------------------
+// ---- Stability ------------------------------------------------------------------------------------------------------
 
-/// Some residue class modulo p holds one coefficient D and zeros: then phi(k + x_0) = delta_{k,0} for the limit phi of delta.
+/// Some residue class modulo p holds one coefficient D and zeros: then phi(k + x_0) = delta_{k,0} for the limit phi of
+/// delta.
 bool is_interpolatory(const LocalScheme& scheme) {
   const auto p = static_cast<std::size_t>(scheme.arity);
   for (std::size_t residue = 0; residue < p; ++residue) {
     std::vector<std::size_t> entries;
     for (std::size_t j = residue; j < scheme.mask.count(); j += p)
       if (!scheme.mask.is_zero(j)) entries.push_back(j);
-    if (entries.size() == 1 && scheme.mask.polynomial(entries[0]).coefficients == scheme.denominator.coefficients) return true;
+    if (entries.size() != 1) continue;
+    if (scheme.mask.polynomial(entries[0]).coefficients == scheme.denominator.coefficients) return true;
   }
   return false;
 }
 
-/// Polynomials over the field of P elements, P a prime below 2^31; the last coefficient is not 0, the zero polynomial is empty.
+/// Polynomials over the field of P elements, P a prime below 2^31; the last coefficient is not 0, the zero polynomial
+/// is empty.
 using Modular = std::vector<std::uint64_t>;
 
 std::uint64_t modular_power(std::uint64_t x, std::uint64_t n, std::uint64_t P) {
@@ -50,9 +53,10 @@ Modular modular_gcd(Modular f, Modular g, std::uint64_t P) {
   return f;
 }
 
-/// Jia & Wang 1993 for a(z) with non-zero constant coefficient: a(z) and a(-z) have no common zero, and no primitive 2k-th root
-/// of unity is a zero for odd k >= 3. Both are shown modulo one prime P that divides neither end coefficient: a common factor
-/// over Q would leave a common factor of the same degree modulo P. So "true" is a proof, and "false" shows nothing.
+/// Jia & Wang 1993 for a(z) with non-zero constant coefficient: a(z) and a(-z) have no common zero, and no primitive
+/// 2k-th root of unity is a zero for odd k >= 3. Both are shown modulo one prime P that divides neither end
+/// coefficient: a common factor over Q would leave a common factor of the same degree modulo P. So "true" is a proof,
+/// and "false" shows nothing.
 bool has_independent_shifts(const Coefficients& a, std::uint64_t P) {
   Modular f, g;  // a(z), a(-z)
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -61,9 +65,9 @@ bool has_independent_shifts(const Coefficients& a, std::uint64_t P) {
   }
   if (f.front() == 0 || f.back() == 0) return false;
   if (modular_gcd(f, g, P).size() > 1) return false;
-  // A primitive 2k-th root of unity of a is -omega with omega of odd order k, so a(-omega) = 0; over Q all omega of order k are
-  // zeros of a(-z) then, and squaring permutes them. Dropping the zero 1 (k = 1) and then, again and again, every zero whose
-  // square is no zero must leave nothing.
+  // A primitive 2k-th root of unity of a is -omega with omega of odd order k, so a(-omega) = 0; over Q all omega of
+  // order k are zeros of a(-z) then, and squaring permutes them. Dropping the zero 1 (k = 1) and then, again and again,
+  // every zero whose square is no zero must leave nothing.
   for (;;) {
     std::uint64_t at_one = 0;
     for (const auto c : g) at_one = (at_one + c) % P;
@@ -98,7 +102,7 @@ void prove_stability(const LocalScheme& scheme, bool interpolatory, Budget& budg
   throw Rejected{"stability", "the shifts are not proved linearly independent"};
 }
 
-// ---- The missing factor ---------------------------------------------------------------------------------------------------
+// ---- The missing factor ---------------------------------------------------------------------------------------------
 
 void prove_missing_factor(const LocalScheme& scheme) {
   for (std::size_t j = 0; j < scheme.remainder.count(); ++j) {
@@ -110,7 +114,7 @@ void prove_missing_factor(const LocalScheme& scheme) {
   throw Rejected{"missing_factor", "no coefficient of the remainder by sigma^(m+1) has a proven strict sign"};
 }
 
-// ---- Words ----------------------------------------------------------------------------------------------------------------
+// ---- Words ----------------------------------------------------------------------------------------------------------
 
 /// Polynomials of one degree in a matrix, row by row; all entries are in the same multidegree.
 struct Matrix {
@@ -121,8 +125,10 @@ struct Matrix {
 
 void accumulate(Bernstein& sum, const Bernstein& term, bool negative = false) {
   for (std::size_t i = 0; i < sum.coefficients.size(); ++i) {
-    if (negative) sum.coefficients[i] -= term.coefficients[i];
-    else sum.coefficients[i] += term.coefficients[i];
+    if (negative)
+      sum.coefficients[i] -= term.coefficients[i];
+    else
+      sum.coefficients[i] += term.coefficients[i];
   }
 }
 
@@ -161,9 +167,11 @@ Matrix section(const LocalScheme& scheme, int letter) {
     // R is invariant: B_{e + pj - i} = 0 for i in R and every j outside of R.
     for (long j = -count - n; j <= count + n; ++j) {
       const long k = letter + scheme.arity * j - i;
-      const bool in_support = k >= 0 && k < count;
-      if (j >= 0 && j < n) result.entries.push_back(in_support ? b.polynomial(static_cast<std::size_t>(k)) : zero(b.degrees));
-      else if (in_support && !b.is_zero(static_cast<std::size_t>(k))) throw Rejected{"word", "the section is not invariant"};
+      const Bernstein entry = k >= 0 && k < count ? b.polynomial(static_cast<std::size_t>(k)) : zero(b.degrees);
+      if (j >= 0 && j < n)
+        result.entries.push_back(entry);
+      else if (!entry.is_zero(0))
+        throw Rejected{"word", "the section is not invariant"};
     }
   }
   return result;
@@ -184,9 +192,10 @@ Matrix product(const Matrix& x, const Matrix& y) {
   return result;
 }
 
-/// c_0 = 1, .., c_n with det(lambda - M) = sum_i c_i lambda^{n-i}, by the division-free recursion of Samuelson and Berkowitz:
-/// with the leading blocks M_r = (M_{r-1}, C; R, a), the coefficients of M_r are those of M_{r-1} times the lower triangular
-/// Toeplitz matrix with first column 1, -a, -R C, -R M_{r-1} C, .. . c_i has i times the multidegree of the entries.
+/// c_0 = 1, .., c_n with det(lambda - M) = sum_i c_i lambda^{n-i}, by the division-free recursion of Samuelson and
+/// Berkowitz: with the leading blocks M_r = (M_{r-1}, C; R, a), the coefficients of M_r are those of M_{r-1} times the
+/// lower triangular Toeplitz matrix with first column 1, -a, -R C, -R M_{r-1} C, .. . c_i has i times the multidegree
+/// of the entries.
 std::vector<Bernstein> characteristic_polynomial(const Matrix& m) {
   const Bernstein one{std::vector<int>(m.entries[0].degrees.size(), 0), {1}};
   std::vector<Bernstein> result{one};
@@ -218,14 +227,16 @@ std::vector<Bernstein> characteristic_polynomial(const Matrix& m) {
     std::vector<Bernstein> product;
     for (std::size_t i = 0; i <= r + 1; ++i) {
       product.push_back(zero(times(m.entries[0].degrees, static_cast<int>(i))));
-      for (std::size_t j = 0; j <= std::min(i, r); ++j) accumulate(product.back(), convolve(toeplitz[i - j], result[j]));
+      for (std::size_t j = 0; j <= std::min(i, r); ++j)
+        accumulate(product.back(), convolve(toeplitz[i - j], result[j]));
     }
     result = std::move(product);
   }
   return result;
 }
 
-/// Whether all roots of f_0 + .. + f_n z^n lie in |z| < 1: |f_n| > |f_0|, and the same for (f_n f - f_0 z^n f(1/z)) / z (Schur).
+/// Whether all roots of f_0 + .. + f_n z^n lie in |z| < 1: |f_n| > |f_0|, and the same for (f_n f - f_0 z^n f(1/z)) / z
+/// (Schur).
 bool all_roots_inside(Coefficients f, Budget& budget) {
   while (f.size() > 1) {
     double size = 1;
@@ -253,7 +264,7 @@ void prove_word(const LocalScheme& scheme, const std::vector<int>& word, Budget&
   for (std::size_t k = 1; k < word.size(); ++k) m = product(m, section(scheme, word[k]));
 
   // With d = D^k > 0: chi(lambda) = det(lambda d - M) = sum_i c_i d^{n-i} lambda^{n-i}.
-  const Bernstein d = power(scheme.quotient_denominator, static_cast<int>(word.size()));
+  const Bernstein d = power(scheme.denominator, static_cast<int>(word.size()));
   std::vector<Bernstein> chi = characteristic_polynomial(m);
   const std::size_t n = m.size;
   for (std::size_t i = 0; i < n; ++i) chi[i] = convolve(power(d, static_cast<int>(n - i)), chi[i]);
@@ -282,7 +293,7 @@ double u2_work(const LocalScheme& scheme, const Leaf& leaf) {
   const Bernstein& b = scheme.quotient;
   mpz_class sum = 1;
   for (const auto& c : b.coefficients) sum += abs(c);
-  for (const auto& c : scheme.quotient_denominator.coefficients) sum += abs(c);
+  for (const auto& c : scheme.denominator.coefficients) sum += abs(c);
   const double size = static_cast<double>(mpz_sizeinbase(sum.get_mpz_t(), 2)) / 64;
   const auto k = static_cast<double>(leaf.word.size()), n = static_cast<double>(section_size(scheme));
   // Multiplications of an entry of i letters by one of j letters: both lengths are bounded by sums of absolute values.
@@ -291,19 +302,21 @@ double u2_work(const LocalScheme& scheme, const Leaf& leaf) {
   };
   double work = setup + k * n * (n + static_cast<double>(b.count())) * 50;
   for (double j = 1; j < k; ++j) work += n * n * n * multiplication(j, 1);
-  for (double j = 1; j < n; ++j) work += (n - j) * n * n * multiplication(j * k, k);  // R M^{j-1} C for every block r > j
+  for (double j = 1; j < n; ++j) work += (n - j) * n * n * multiplication(j * k, k);  // R M^{j-1} C for all r > j
   for (double i = 0; i <= n; ++i)
     for (double j = 0; j <= i; ++j) work += (n - i + 1) * multiplication((i - j) * k, j * k);
   for (double j = 0; j < n; ++j) work += 2 * n * multiplication(j * k, k);
   const double entries = 3 * n * n * tensor_size(b.degrees, k) + 4 * n * tensor_size(b.degrees, n * k);
-  if (!(entries * (32 + 8 * (n * k * size + 1)) <= 512. * 1024 * 1024)) throw Rejected{"limits", "the word needs too much memory"};
+  if (!(entries * (32 + 8 * (n * k * size + 1)) <= 512e6)) throw Rejected{"limits", "the word needs too much memory"};
   return work;
 }
 
 void prove_u2(const LocalScheme& scheme, bool interpolatory, const Leaf& leaf, Budget& budget) {
   prove_stability(scheme, interpolatory, budget);
-  if (leaf.missing_factor) prove_missing_factor(scheme);
-  else prove_word(scheme, leaf.word, budget);
+  if (leaf.missing_factor)
+    prove_missing_factor(scheme);
+  else
+    prove_word(scheme, leaf.word, budget);
 }
 
 }  // namespace limes::checker

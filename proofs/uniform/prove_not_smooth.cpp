@@ -96,7 +96,8 @@ class RegionProver {
       : mask_(mask), m_(m), region_(region), limits_(limits), stop_(stop) {}
 
   ProofAttempt prove() {
-    const Mask scheme = restricted(mask_, region_);
+    const auto [scheme, denominator] = restricted(mask_, region_);
+    denominator_ = denominator;
     attempt_.stability = prove_stability(scheme);
     if (attempt_.stability != Stability::interpolatory) {
       attempt_.reason = "the stability of the integer shifts is not proved for the whole region";
@@ -106,14 +107,8 @@ class RegionProver {
     for (const RationalFunction& c : remainder.coefficients()) {
       if (!c.is_zero()) remainder_.push_back(c.numerator());
     }
-    for (const RationalFunction& c : scheme.symbol.coefficients()) {
-      if (c.is_polynomial() || prove_strict_sign(c.denominator(), region_) != 0) continue;
-      attempt_.reason = "the mask may have a pole in the region";
-      return attempt_;
-    }
     if (const std::optional<LaurentPolynomial> b = difference_symbol(scheme, m_ + 1)) {
-      sections_.emplace(*b, scheme.arity);
-      denominator_sign_ = prove_strict_sign(sections_->denominator(), region_);
+      sections_.emplace(*b, denominator, scheme.arity);
     }
     std::vector<Box> pieces = remainder_.empty() ? std::vector<Box>{region_}
                                                  : cut_at_zeros();
@@ -150,12 +145,13 @@ class RegionProver {
       return fail(at_point.reason, midpoint(task.box));
     }
     const std::vector<Rational> center = midpoint(task.box);
-    if (!remainder_.empty()) {
+    denominator_sign_ = BernsteinForm(denominator_, task.box).strict_sign_off_open_faces();
+    if (denominator_sign_ != 0 && !remainder_.empty()) {
       if (factor_is_missing(task.box)) {
         attempt_.leaves.push_back({task.box, MissingFactorWitness{}});
         return true;
       }
-    } else {
+    } else if (denominator_sign_ != 0) {
       const std::optional<std::vector<int>> word = expanding_word(task.box, center);
       if (word) {
         attempt_.leaves.push_back({task.box, WordWitness{*word}});
@@ -198,22 +194,19 @@ class RegionProver {
       any_hint_ = true;
       if (++tested > limits_.max_exact_words) break;
       auto place = signs_.find(hint.word);
-      if (place == signs_.end()) place = signs_.emplace(hint.word, oriented_signs(hint.word)).first;
-      if (BernsteinForm(place->second.at_one, box).upper() <= 0 || BernsteinForm(place->second.at_minus_one, box).upper() <= 0) {
+      if (place == signs_.end()) place = signs_.emplace(hint.word, expansion_signs(*sections_, hint.word)).first;
+      if (is_non_positive(place->second.at_one, hint.word, box) || is_non_positive(place->second.at_minus_one, hint.word, box)) {
         return hint.word;
       }
     }
     return std::nullopt;
   }
 
-  /// expansion_signs() with the denominator made positive on the region.
-  ExpansionSigns oriented_signs(const std::vector<int>& word) const {
-    ExpansionSigns signs = expansion_signs(*sections_, word);
-    if (denominator_sign_ < 0 && word.size() % 2 == 1 && sections_->size() % 2 == 1) {
-      signs.at_one = -signs.at_one;
-      signs.at_minus_one = -signs.at_minus_one;
-    }
-    return signs;
+  /// Whether one of expansion_signs() is <= 0 on the box once the denominator is made positive there.
+  bool is_non_positive(const MultivariatePolynomial& sign, const std::vector<int>& word, const Box& box) const {
+    const bool flipped = denominator_sign_ < 0 && word.size() % 2 == 1 && sections_->size() % 2 == 1;
+    const BernsteinForm form(sign, box);
+    return flipped ? form.lower() >= 0 : form.upper() <= 0;
   }
 
   const Mask& mask_;
@@ -225,6 +218,8 @@ class RegionProver {
   std::vector<Task> tasks_;
   std::vector<MultivariatePolynomial> remainder_;
   std::optional<FiniteSections> sections_;
+  MultivariatePolynomial denominator_;
+  /// On the leaf at hand.
   int denominator_sign_ = 1;
   std::map<std::vector<int>, ExpansionSigns> signs_;
   bool any_hint_ = false;

@@ -26,10 +26,12 @@ struct Task {
 
 }  // namespace
 
-Mask restricted(const Mask& mask, const Box& region) {
-  Mask result = mask;
+RestrictedMask restricted(const Mask& mask, const Box& region) {
+  RestrictedMask result{mask, common_denominator(mask.symbol)};
   for (std::size_t k = 0; k < region.size(); ++k) {
-    if (region[k].is_point()) result.symbol = result.symbol.substitute(static_cast<int>(k), region[k].lower);
+    if (!region[k].is_point()) continue;
+    result.mask.symbol = result.mask.symbol.substitute(static_cast<int>(k), region[k].lower);
+    result.denominator = result.denominator.substitute(static_cast<int>(k), region[k].lower);
   }
   return result;
 }
@@ -53,7 +55,7 @@ std::vector<std::vector<Rational>> sample_points(const Box& region) {
 
 ProofAttempt prove_smooth(const Mask& mask, int m, const Box& region, const ProofLimits& limits, const Stop& stop) {
   ProofAttempt attempt;
-  const Mask scheme = restricted(mask, region);
+  const auto [scheme, denominator] = restricted(mask, region);
   const int variables = scheme.symbol.variables();
   const auto fail = [&](std::string reason, std::optional<std::vector<Rational>> point = std::nullopt) {
     attempt.reason = std::move(reason);
@@ -82,7 +84,7 @@ ProofAttempt prove_smooth(const Mask& mask, int m, const Box& region, const Proo
     }
     bool proved = false;
     try {
-      proved = ContractivityBound(*b, scheme.arity, task.box).proves_contraction(level, limits.contractivity, stop);
+      proved = ContractivityBound(*b, denominator, scheme.arity, task.box).proves_contraction(level, limits.contractivity, stop);
     } catch (const LimitError& error) {
       return fail(error.reason(), midpoint(task.box));
     }

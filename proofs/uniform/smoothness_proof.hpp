@@ -21,8 +21,14 @@ struct ProofAttempt {
   std::optional<std::vector<Rational>> failing_point;
 };
 
-/// The scheme with the parameters of point intervals substituted (their number stays the same).
-Mask restricted(const Mask& mask, const Box& region);
+/// The scheme on a region: parameters of point intervals substituted (their number stays the same), and D, the least common
+/// denominator of the mask before the substitution, with them substituted in it. A certificate writes the mask over D.
+struct RestrictedMask {
+  Mask mask;
+  MultivariatePolynomial denominator;
+};
+
+RestrictedMask restricted(const Mask& mask, const Box& region);
 
 /// Theorem U1: tries to prove C^m at every parameter value of the region, by a(1) = p, sigma^{m+1} | a and ||S_b^l|| < 1 on leaves found by bisection, each
 /// with a level of its own.

@@ -27,7 +27,8 @@ inline std::string read_text(const std::filesystem::path& path) {
 inline std::map<std::string, Json> valid_certificates() {
   std::map<std::string, Json> result;
   for (const auto& entry : std::filesystem::directory_iterator(LIMES_SOURCE_DIR "/tests/checker/data"))
-    if (entry.path().extension() == ".json") result[entry.path().stem().string()] = Json::parse(read_text(entry.path()));
+    if (entry.path().extension() == ".json")
+      result[entry.path().stem().string()] = Json::parse(read_text(entry.path()));
   EXPECT_GE(result.size(), 14u);
   return result;
 }
@@ -64,8 +65,10 @@ inline Json smooth(const Claim& claim, int level) {
 /// "not C^m certified by U2" with one leaf, the region, and a word; without a word, by a missing factor.
 inline Json rough(const Claim& claim, const std::string& stability, const std::vector<int>& word = {}) {
   Json leaf{{"region", claim.region}};
-  if (word.empty()) leaf["missing_factor"] = true;
-  else leaf["word"] = word;
+  if (word.empty())
+    leaf["missing_factor"] = true;
+  else
+    leaf["word"] = word;
   return certificate(claim, "certified", "U2", {{"stability", stability}, {"leaves", Json::array({leaf})}});
 }
 
@@ -81,7 +84,8 @@ inline void expect_invalid(const Json& json, const std::string& steps) {
   const auto result = check(json);
   EXPECT_FALSE(result.valid) << result.statement << '\n' << json.dump();
   EXPECT_NE((" " + steps + " ").find(" " + result.step + " "), std::string::npos)
-      << result.step << ": " << result.reason << '\n' << json.dump();
+      << result.step << ": " << result.reason << '\n'
+      << json.dump();
   EXPECT_FALSE(result.reason.empty());
   EXPECT_TRUE(result.statement.empty());
 }

@@ -53,7 +53,8 @@ TEST(Input, TextThatIsNoStrictJson) {
   };
   for (const char* number : {"NaN", "Infinity", "-Infinity", "0x1", "01", "+1", "1.", "1e", "'1'"})
     expect_rejected_text(replaced("\"level\":1", "\"level\":" + std::string(number)), "json");
-  for (const char* number : {"1.0", "1e0", "0", "-1", "25", "1e400", "18446744073709551616", "18446744073709551617", "4294967297", "-4294967295", "\"1\"", "true", "[1]"})
+  for (const char* number : {"1.0", "1e0", "0", "-1", "25", "1e400", "18446744073709551616", "18446744073709551617",
+                             "4294967297", "-4294967295", "\"1\"", "true", "[1]"})
     EXPECT_FALSE(limes::checker::check(replaced("\"level\":1", "\"level\":" + std::string(number))).valid) << number;
   expect_rejected_text(replaced("\"test\"", "\"a\x01\""), "json");
   expect_rejected_text(replaced("\"test\"", "\"a\xFF\""), "json");
@@ -73,7 +74,8 @@ TEST(Input, DuplicateKeysAreRejectedEverywhere) {
     expect_rejected_text(text.substr(0, start) + "\"" + key + "\":null," + text.substr(start), "json");
     char escaped[8];
     std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(key[0]));
-    expect_rejected_text(text.substr(0, start) + "\"" + escaped + key.substr(1) + "\":null," + text.substr(start), "json");
+    expect_rejected_text(text.substr(0, start) + "\"" + escaped + key.substr(1) + "\":null," + text.substr(start),
+                         "json");
     ++keys;
   }
   EXPECT_EQ(keys, 21u);
@@ -93,7 +95,8 @@ TEST(Input, DepthIsLimited) {
     for (int k = 0; k < depth; ++k) result += close;
     return result;
   };
-  for (const auto& [open, close] : std::vector<std::pair<std::string, std::string>>{{"(", ")"}, {"--", ""}, {"-(-", ")"}}) {
+  for (const auto& [open, close] :
+       std::vector<std::pair<std::string, std::string>>{{"(", ")"}, {"--", ""}, {"-(-", ")"}}) {
     const int fits = open.size() == 1 ? 100 : open.size() == 2 ? 50 : 32;
     expect_valid(smooth({{}, {nested(fits, open, close), "3/4", "3/4", "1/4"}, "C1"}, 1));
     expect_invalid(smooth({{}, {nested(fits + 2, open, close), "3/4", "3/4", "1/4"}, "C1"}, 1), "scheme");
@@ -102,10 +105,21 @@ TEST(Input, DepthIsLimited) {
 }
 
 TEST(Input, StatementsAndNames) {
-  for (const char* statement : {"C65", "C-1", "C01", "C", "c1", "C 1", "C1 ", " C1", "C1.0", "C+1", "C999999999999999999999", "not", "not  C1", "notC1", "not not C1", "Not C1", "", "C\u0661"})
+  for (const char* statement :
+       {"C65", "C-1", "C01", "C", "c1", "C 1", "C1 ", " C1", "C1.0", "C+1", "C999999999999999999999", "not", "not  C1",
+        "notC1", "not not C1", "Not C1", "", "C\u0661"})
     expect_invalid(smooth({{}, chaikin, statement}, 1), "claim");
   expect_invalid(smooth({{}, chaikin, "C64"}, 1), "factor");
-  for (const auto& parameters : std::vector<std::vector<std::string>>{{""}, {"1w"}, {"w w"}, {"_w"}, {"w-"}, {"\u03c9"}, {"w", "w"}, {"w\n"}, {std::string(65, 'w')}, {"a", "b", "c", "d", "e", "f", "g", "h", "i"}}) {
+  for (const auto& parameters : std::vector<std::vector<std::string>>{{""},
+                                                                      {"1w"},
+                                                                      {"w w"},
+                                                                      {"_w"},
+                                                                      {"w-"},
+                                                                      {"\u03c9"},
+                                                                      {"w", "w"},
+                                                                      {"w\n"},
+                                                                      {std::string(65, 'w')},
+                                                                      {"a", "b", "c", "d", "e", "f", "g", "h", "i"}}) {
     Json region = Json::object();
     for (const auto& name : parameters) region[name] = "1/16";
     expect_invalid(smooth({parameters, chaikin, "C1", region}, 1), "scheme");
@@ -113,18 +127,28 @@ TEST(Input, StatementsAndNames) {
 }
 
 TEST(Input, RegionsAndIntervals) {
-  for (const char* interval : {"", "w", "[0,1", "0, 1]", "[1, 0]", "[1, 1]", "(1, 1)", "(1, 1]", "[0; 1]", "[0, 1, 2]", "[0 , 1]", "[ 0, 1]", "[0,  1]", "[0, 1] ", " [0, 1]", "[0, 1/0]", "1/0", "0/0", "1/", "/1", "--1", "+1", "1/-2", "0.5", "1e3", "[,]", "[", "]", "()", "[1/2]", "]0, 1[", "{0, 1}", "NaN", "inf", "\u0661", "0x10"})
+  for (const char* interval :
+       {"",          "w",       "[0,1",    "0, 1]",   "[1, 0]",  "[1, 1]",  "(1, 1)",   "(1, 1]", "[0; 1]",
+        "[0, 1, 2]", "[0 , 1]", "[ 0, 1]", "[0,  1]", "[0, 1] ", " [0, 1]", "[0, 1/0]", "1/0",    "0/0",
+        "1/",        "/1",      "--1",     "+1",      "1/-2",    "0.5",     "1e3",      "[,]",    "[",
+        "]",         "()",      "[1/2]",   "]0, 1[",  "{0, 1}",  "NaN",     "inf",      "\u0661", "0x10"})
     expect_invalid(smooth({{"w"}, chaikin, "C1", {{"w", interval}}}, 1), "claim");
   expect_valid(smooth({{"w"}, chaikin, "C1", {{"w", "[-007/14,12/24)"}}}, 1));
-  for (const Json& region : {Json::object(), Json{{"v", "1"}}, Json{{"w", "1"}, {"v", "1"}}, Json{{"w", 1}}, Json{{"w", {"1", "2"}}}, Json::array(), Json("1"), Json()})
+  for (const Json& region : {Json::object(), Json{{"v", "1"}}, Json{{"w", "1"}, {"v", "1"}}, Json{{"w", 1}},
+                             Json{{"w", {"1", "2"}}}, Json::array(), Json("1"), Json()})
     expect_invalid(smooth({{"w"}, chaikin, "C1", region}, 1), "claim");
   expect_invalid(smooth({{}, chaikin, "C1", {{"w", "1"}}}, 1), "claim");
 }
 
 TEST(Input, Expressions) {
-  for (const char* text : {"", " ", "1/4)", "(1/4", "1//4", "1/", "*1", "+1/4", "1/4 +", "1 4", "w", "x", "1/4;", "0.25", "1e-1", "2^-1", "2^(1)", "2^2^1", "2^", "2^1001", "2^99999999999", "2^w", "sin(1)", "1/0", "0^0/0", "1/4\t", "1/4\n", "\u00bc", "1/4\\", "[1/4]", "1,4", "1/(1-1)"})
+  for (const char* text :
+       {"",       " ",    "1/4)",  "(1/4",  "1//4",  "1/",     "*1",    "+1/4",  "1/4 +",  "1 4",           "w",
+        "x",      "1/4;", "0.25",  "1e-1",  "2^-1",  "2^(1)",  "2^2^1", "2^",    "2^1001", "2^99999999999", "2^w",
+        "sin(1)", "1/0",  "0^0/0", "1/4\t", "1/4\n", "\u00bc", "1/4\\", "[1/4]", "1,4",    "1/(1-1)"})
     expect_invalid(smooth({{"v"}, {text, "3/4", "3/4", "1/4"}, "C1", {{"v", "1"}}}, 1), "scheme");
-  for (const char* text : {" 1 / 4 ", "(1/2)^2", "--1/4", "1/2*1/2", "2^0/4", "-(-1)/4", "1/2 - 1/4", "1/2/2", "(v + 1)^2/16 - (v^2 + 2*v - 3)/16", "2^ 3/32", "1/4*(2-v)/(2-v)", "3 - 11/4", "-1^2 + 5/4", "0001/0004", "0^0/4", "1/4 - 0*v"})
+  for (const char* text : {" 1 / 4 ", "(1/2)^2", "--1/4", "1/2*1/2", "2^0/4", "-(-1)/4", "1/2 - 1/4", "1/2/2",
+                           "(v + 1)^2/16 - (v^2 + 2*v - 3)/16", "2^ 3/32", "1/4*(2-v)/(2-v)", "3 - 11/4", "-1^2 + 5/4",
+                           "0001/0004", "0^0/4", "1/4 - 0*v"})
     expect_valid(smooth({{"v"}, {text, "3/4", "3/4", "1/4"}, "C1", {{"v", "1"}}}, 1));
 }
 
@@ -134,8 +158,11 @@ TEST(Input, HugeNumbersAndExponentsMeetALimit) {
   expect_invalid(smooth({{"w"}, chaikin, "C1", {{"w", more}}}, 1), "claim");
   expect_invalid(smooth({{"w"}, chaikin, "C1", {{"w", "1/" + more}}}, 1), "claim");
   expect_invalid(smooth({{}, {more, "3/4", "3/4", "1/4"}, "C1"}, 1), "scheme");
-  expect_invalid(smooth({{"w"}, {"1/4 + " + digits + "*w", "3/4", "3/4", "1/4"}, "C1", {{"w", "[0, " + digits + "]"}}}, 24), "sum limits");
-  for (const char* text : {"((2^1000)^1000)^1000", "((((9^999)^999)^999)^999)^999", "((w^1000)^1000)^1000", "(1+w+v)^1000"}) {
+  expect_invalid(
+      smooth({{"w"}, {"1/4 + " + digits + "*w", "3/4", "3/4", "1/4"}, "C1", {{"w", "[0, " + digits + "]"}}}, 24),
+      "sum limits");
+  for (const char* text :
+       {"((2^1000)^1000)^1000", "((((9^999)^999)^999)^999)^999", "((w^1000)^1000)^1000", "(1+w+v)^1000"}) {
     const auto json = smooth({{"v", "w"}, {text, "3/4", "3/4", "1/4"}, "C1", {{"v", "[0, 1]"}, {"w", "[1, 2]"}}}, 1);
     expect_invalid(json, "limits sum");
   }
@@ -159,7 +186,8 @@ TEST(Input, WorkIsLimitedBeforeItIsDone) {
   Json leaves = Json::array();
   for (int k = 0; k < 400; ++k) leaves.push_back({{"region", {{"w", "[1/10, 1/8]"}}}, {"level", 12}});
   leaves.push_back({{"region", {{"w", "[1/1000000, 1/10]"}}}, {"level", 12}});
-  fast(certificate({{"w"}, four_point, "C1", {{"w", "[1/1000000, 1/8]"}}}, "certified", "U1", {{"leaves", leaves}}), "limits");
+  fast(certificate({{"w"}, four_point, "C1", {{"w", "[1/1000000, 1/8]"}}}, "certified", "U1", {{"leaves", leaves}}),
+       "limits");
   leaves = Json::array();
   for (int k = 0; k <= 100000; ++k) leaves.push_back(0);
   fast(certificate({{"w"}, four_point, "C1", {{"w", "1/8"}}}, "certified", "U1", {{"leaves", leaves}}), "proof");
@@ -169,7 +197,8 @@ TEST(Input, WorkIsLimitedBeforeItIsDone) {
 TEST(Input, LettersLevelsAndArity) {
   const Claim claim{{}, {"1/2", "1", "1/2"}, "not C1"};
   expect_valid(rough(claim, "interpolatory", {0}));
-  for (const std::vector<int>& word : {std::vector<int>{2}, {-1}, {0, 2}, std::vector<int>(65, 0)}) expect_invalid(rough(claim, "interpolatory", word), "proof");
+  for (const std::vector<int>& word : {std::vector<int>{2}, {-1}, {0, 2}, std::vector<int>(65, 0)})
+    expect_invalid(rough(claim, "interpolatory", word), "proof");
   expect_valid(rough(claim, "interpolatory", std::vector<int>(64, 0)));
   auto json = rough(claim, "interpolatory", {0});
   for (const Json& word : {Json::array(), Json{0.0}, Json{"0"}, Json{nullptr}, Json("0"), Json(0), Json{{0}}}) {
@@ -182,7 +211,8 @@ TEST(Input, LettersLevelsAndArity) {
   json["proof"]["leaves"][0].erase("word");
   json["proof"]["leaves"][0]["missing_factor"] = false;
   expect_invalid(json, "proof");
-  for (const int arity : {-2, 0, 1, 17, 1000000}) expect_invalid(smooth({{}, chaikin, "C1", Json::object(), arity}, 1), "scheme");
+  for (const int arity : {-2, 0, 1, 17, 1000000})
+    expect_invalid(smooth({{}, chaikin, "C1", Json::object(), arity}, 1), "scheme");
   for (const int arity : {3, 4, 16}) expect_invalid(smooth({{}, chaikin, "C1", Json::object(), arity}, 1), "sum");
   for (const int level : {-1, 0, 25, 1000000000}) expect_invalid(smooth({{}, chaikin, "C1"}, level), "proof");
 }

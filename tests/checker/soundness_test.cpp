@@ -6,10 +6,10 @@ using namespace limes::test;
 
 TEST(Soundness, MasksWithTheWrongSum) {
   for (int level = 1; level <= 6; ++level) {
-    expect_invalid(smooth({{}, {"9/10", "9/5", "9/10"}, "C0"}, level), "sum");                // 9/10 (1+z)^2 diverges
+    expect_invalid(smooth({{}, {"9/10", "9/5", "9/10"}, "C0"}, level), "sum");  // 9/10 (1+z)^2 diverges
     expect_invalid(smooth({{}, {"9/20", "9/10", "9/20"}, "C0"}, level), "sum");
-    expect_invalid(smooth({{}, {"3/8", "9/8", "9/8", "3/8"}, "C1"}, level), "sum");           // 3/8 (1+z)^3
-    expect_invalid(smooth({{}, {"1/8", "3/8", "3/8", "1/8"}, "C1"}, level), "sum");           // tends to zero
+    expect_invalid(smooth({{}, {"3/8", "9/8", "9/8", "3/8"}, "C1"}, level), "sum");  // 3/8 (1+z)^3
+    expect_invalid(smooth({{}, {"1/8", "3/8", "3/8", "1/8"}, "C1"}, level), "sum");  // tends to zero
   }
   // (1+z)(1/2 + 3z/10 + 7z^2/10): b(1) = 3/2, and as a ternary scheme 1+z is no factor of smoothness at all.
   expect_invalid(smooth({{}, {"1/2", "4/5", "1", "7/10"}, "C0", Json::object(), 3}, 2), "factor");
@@ -17,7 +17,8 @@ TEST(Soundness, MasksWithTheWrongSum) {
 }
 
 TEST(Soundness, EmptyAndVanishingMasks) {
-  for (const auto& mask : std::vector<std::vector<std::string>>{{"0"}, {"0", "0", "0"}, {"w - w", "0*w"}, {"w - 1/16", "1/16 - w"}}) {
+  for (const auto& mask :
+       std::vector<std::vector<std::string>>{{"0"}, {"0", "0", "0"}, {"w - w", "0*w"}, {"w - 1/16", "1/16 - w"}}) {
     const Claim yes{{"w"}, mask, "C0", {{"w", "1/16"}}}, no{{"w"}, mask, "not C0", {{"w", "1/16"}}};
     expect_invalid(smooth(yes, 1), "sum");
     for (const auto& stability : {"interpolatory", "linear-independence"}) {
@@ -36,8 +37,10 @@ TEST(Soundness, ClaimsOneOrderTooHigh) {
 
 TEST(Soundness, RegionsThatReachTooFar) {
   // C^1 holds for 0 < w < 0.1927..
-  for (const char* region : {"[0, 1/16]", "0", "-1/100", "1/5", "193/1000", "(0, 1/5]", "[-1/100, 1/16]", "(-1/1000, 1/16]", "[1/16, 1/4)"})
-    for (const int level : {1, 2, 5, 9}) expect_invalid(smooth({{"w"}, four_point, "C1", {{"w", region}}}, level), "contractivity");
+  for (const char* region :
+       {"[0, 1/16]", "0", "-1/100", "1/5", "193/1000", "(0, 1/5]", "[-1/100, 1/16]", "(-1/1000, 1/16]", "[1/16, 1/4)"})
+    for (const int level : {1, 2, 5, 9})
+      expect_invalid(smooth({{"w"}, four_point, "C1", {{"w", region}}}, level), "contractivity");
   // Not C^1 holds for w <= 0 and w >= 0.1927.. only.
   for (const char* region : {"1/8", "[1/8, 1/4]", "(19/100, 1/4]", "[1/5, 1/8]"})
     for (const std::vector<int>& word : {std::vector<int>{0}, {0, 1}, {0, 0, 1}, {0, 1, 1, 0}})
@@ -47,10 +50,13 @@ TEST(Soundness, RegionsThatReachTooFar) {
 TEST(Soundness, UnstableSchemesAreNotRefuted) {
   // 1/2 (1+z)(1+z^2) has the symmetric zeros +-i; (1+z^3) the zero exp(i pi/3); both limits have linearly dependent shifts.
   const std::vector<std::vector<std::string>> unstable{
-      {"1/2", "1/2", "1/2", "1/2"}, {"1", "0", "0", "1"}, {"1", "0", "0", "0", "0", "1"}, {"1", "0", "1"},
-      {"1/2", "0", "0", "1", "0", "0", "1/2"},                // the hat function with spacing 3, which is C^0
-      {"1/4", "1/2", "1/2", "1/2", "1/4"},                    // (1+z)^2 (1+z^2)/4: C^1 although the shifts are dependent
-      {"0", "1", "0", "0", "0", "0", "0", "0", "0", "1"}};   // 1 + z^9
+      {"1/2", "1/2", "1/2", "1/2"},
+      {"1", "0", "0", "1"},
+      {"1", "0", "0", "0", "0", "1"},
+      {"1", "0", "1"},
+      {"1/2", "0", "0", "1", "0", "0", "1/2"},              // the hat function with spacing 3, which is C^0
+      {"1/4", "1/2", "1/2", "1/2", "1/4"},                  // (1+z)^2 (1+z^2)/4: C^1 although the shifts are dependent
+      {"0", "1", "0", "0", "0", "0", "0", "0", "0", "1"}};  // 1 + z^9
   for (const auto& mask : unstable) {
     for (const char* m : {"0", "1", "2", "3"}) {
       const Claim claim{{}, mask, std::string("not C") + m};
@@ -60,7 +66,9 @@ TEST(Soundness, UnstableSchemesAreNotRefuted) {
   }
   expect_invalid(rough({{}, {"1/4", "3/4", "3/4", "1/4"}, "not C2"}, "interpolatory", {0}), "stability");
   expect_invalid(rough({{}, {"1/2", "1", "1", "1/2"}, "not C2"}, "linear-independence", {0}), "stability");  // a(1) = 3
-  expect_invalid(rough({{}, {"1/3", "2/3", "1", "2/3", "1/3"}, "not C1", Json::object(), 3}, "linear-independence", {0}), "stability");
+  expect_invalid(
+      rough({{}, {"1/3", "2/3", "1", "2/3", "1/3"}, "not C1", Json::object(), 3}, "linear-independence", {0}),
+      "stability");
   expect_invalid(rough({{"w"}, four_point, "not C2", {{"w", "[1/8, 1/4]"}}}, "linear-independence"), "stability");
   // Linear independence does hold for the stable four-point scheme at one value.
   expect_valid(rough({{"w"}, four_point, "not C2", {{"w", "1/8"}}}, "linear-independence"));
@@ -69,8 +77,9 @@ TEST(Soundness, UnstableSchemesAreNotRefuted) {
 TEST(Soundness, InterpolatoryMeansOneWholeResidueClass) {
   const Json none = Json::object();
   expect_valid(rough({{}, {"1", "1", "1"}, "not C0", none, 3}, "interpolatory", {0}));
-  expect_invalid(rough({{}, {"1/2", "2", "1/2"}, "not C0"}, "interpolatory"), "stability");               // a_0 = 2
-  expect_invalid(rough({{}, {"-1", "1", "1", "1", "1", "-1"}, "not C1"}, "interpolatory"), "stability");  // a second entry
+  expect_invalid(rough({{}, {"1/2", "2", "1/2"}, "not C0"}, "interpolatory"), "stability");  // a_0 = 2
+  expect_invalid(rough({{}, {"-1", "1", "1", "1", "1", "-1"}, "not C1"}, "interpolatory"),
+                 "stability");  // a second entry
   expect_invalid(rough({{"w"}, {"w", "1", "1 - w"}, "not C1", {{"w", "[0, 1]"}}, 3}, "interpolatory", {3}), "proof");
 }
 
@@ -109,8 +118,10 @@ TEST(Soundness, LeavesMustCoverExactly) {
     for (const auto& [name, interval] : region.items()) parameters.push_back(name);
     std::vector<std::string> mask{"1/4", "3/4", "3/4", "1/4"};
     const auto json = certificate({parameters, mask, "C1", region}, "certified", "U1", {{"leaves", leaves}});
-    if (expected) expect_valid(json);
-    else expect_invalid(json, "covering");
+    if (expected)
+      expect_valid(json);
+    else
+      expect_invalid(json, "covering");
   };
   const auto line = [&](const std::string& region, const std::vector<std::string>& regions, bool expected) {
     std::vector<Json> leaves;
@@ -119,11 +130,11 @@ TEST(Soundness, LeavesMustCoverExactly) {
   };
   line("[0, 1]", {"[0, 1/2]", "(1/2, 1]"}, true);
   line("[0, 1]", {"(1/2, 1]", "[0, 1/2)", "1/2"}, true);
-  line("[0, 1]", {"[0, 1/2)", "(1/2, 1]"}, false);          // one point is missing
+  line("[0, 1]", {"[0, 1/2)", "(1/2, 1]"}, false);  // one point is missing
   line("[0, 1]", {"(0, 1/2]", "(1/2, 1]"}, false);
   line("[0, 1]", {"[0, 1/2]", "(1/2, 1)"}, false);
   line("(0, 1)", {"(0, 1/2]", "[1/2, 1)"}, true);
-  line("(0, 1)", {"[0, 1/2]", "[1/2, 1)"}, false);          // a leaf outside of the region
+  line("(0, 1)", {"[0, 1/2]", "[1/2, 1)"}, false);  // a leaf outside of the region
   line("(0, 1)", {"(0, 1)", "1"}, false);
   line("(0, 1)", {"1/2"}, false);
   line("(0, 1)", {"(0, 1)", "(1/4, 1/3)", "1/2", "1/2"}, true);
@@ -136,7 +147,8 @@ TEST(Soundness, LeavesMustCoverExactly) {
   covers(square, {box("[0, 1/2]", "[0, 1]"), box("(1/2, 1]", "[0, 1/3]"), box("(1/2, 1]", "(1/3, 1]")}, true);
   covers(square, {box("[0, 1/2]", "[0, 1]"), box("(1/2, 1]", "[0, 1/3)"), box("(1/2, 1]", "(1/3, 1]")}, false);
   // A pinwheel: no cut goes through; the middle is missing, or a single point of it.
-  std::vector<Json> pinwheel{box("[0, 2/3]", "[0, 1/3]"), box("(2/3, 1]", "[0, 2/3]"), box("(1/3, 1]", "(2/3, 1]"), box("[0, 1/3]", "(1/3, 1]")};
+  std::vector<Json> pinwheel{box("[0, 2/3]", "[0, 1/3]"), box("(2/3, 1]", "[0, 2/3]"), box("(1/3, 1]", "(2/3, 1]"),
+                             box("[0, 1/3]", "(1/3, 1]")};
   covers(square, pinwheel, false);
   pinwheel.push_back(box("(1/3, 2/3]", "(1/3, 2/3]"));
   covers(square, pinwheel, true);
@@ -152,8 +164,12 @@ TEST(Soundness, LeavesMustCoverExactly) {
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j < 12; ++j)
         for (int k = 0; k < 6; ++k) {
-          const auto side = [](int n, int of) { return "[" + std::to_string(n) + "/" + std::to_string(of) + ", " + std::to_string(n + 1) + "/" + std::to_string(of) + (n + 1 == of ? "]" : ")"); };
-          if (complete || i != 7 || j != 3 || k != 5) grid.push_back({{"u", side(i, 12)}, {"v", side(j, 12)}, {"w", side(k, 6)}});
+          const auto side = [](int n, int of) {
+            return "[" + std::to_string(n) + "/" + std::to_string(of) + ", " + std::to_string(n + 1) + "/" +
+                   std::to_string(of) + (n + 1 == of ? "]" : ")");
+          };
+          if (complete || i != 7 || j != 3 || k != 5)
+            grid.push_back({{"u", side(i, 12)}, {"v", side(j, 12)}, {"w", side(k, 6)}});
         }
     covers({{"u", "[0, 1]"}, {"v", "[0, 1]"}, {"w", "[0, 1]"}}, grid, complete);
   }

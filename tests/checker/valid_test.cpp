@@ -11,9 +11,9 @@ TEST(Valid, EveryStoredCertificateIsValidAndSaysWhatItProves) {
       {"four-point-not-c1-refuted",
        "refuted: four-point is not C1 for w in [0, 1/4); it is C1 for w = 1/16 (theorem U1, 1 leaf)"},
       {"cubic-b-spline-not-c3", "certified: b-spline-3 is not C3 (theorem U2, 1 leaf)"},
-      {"ternary-four-point-c1",
-       "certified: \"ternary four-point (Deslauriers & Dubuc)\" is C1 (theorem U1, 1 leaf)"},
-      {"two-parameters-c1", "certified: two-parameters is C1 for u in [1/8, 1/2], v in (0, 3/8] (theorem U1, 4 leaves)"}};
+      {"ternary-four-point-c1", "certified: \"ternary four-point (Deslauriers & Dubuc)\" is C1 (theorem U1, 1 leaf)"},
+      {"two-parameters-c1",
+       "certified: two-parameters is C1 for u in [1/8, 1/2], v in (0, 3/8] (theorem U1, 4 leaves)"}};
   std::size_t seen = 0;
   for (const auto& [name, json] : valid_certificates()) {
     const auto result = check(json);
@@ -35,7 +35,8 @@ TEST(Valid, TheExampleOfTheSpecificationIsValid) {
   ASSERT_NE(end, std::string::npos);
   const auto result = limes::checker::check(text.substr(start + 8, end - start - 8));
   EXPECT_TRUE(result.valid) << result.step << ": " << result.reason;
-  EXPECT_NE(text.find(result.statement), std::string::npos) << "the specification shows the answer: " << result.statement;
+  EXPECT_NE(text.find(result.statement), std::string::npos)
+      << "the specification shows the answer: " << result.statement;
 }
 
 TEST(Valid, BSplinesAreExactlyOneDegreeLessSmooth) {
@@ -87,7 +88,8 @@ TEST(Valid, ReparametrisationChangesNothing) {
 }
 
 TEST(Valid, HighLevelsAreFast) {
-  const std::vector<std::string> six{"w", "0", "-3*w - 1/16", "0", "2*w + 9/16", "1", "2*w + 9/16", "0", "-3*w - 1/16", "0", "w"};
+  const std::vector<std::string> six{"w",          "0", "-3*w - 1/16", "0", "2*w + 9/16", "1",
+                                     "2*w + 9/16", "0", "-3*w - 1/16", "0", "w"};
   expect_valid(smooth({{"w"}, six, "C2", {{"w", "[1/100, 1/50]"}}}, 12));
   expect_valid(smooth({{"w"}, six, "C2", {{"w", "1/50"}}}, 16));
 }

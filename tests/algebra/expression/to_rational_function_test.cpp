@@ -69,10 +69,22 @@ TEST(ToRationalFunction, WhatIsTooLargeIsRefusedQuickly) {
   for (int i = 0; i < 6000; ++i) powers += "+(x+y+1)^300";
   std::string poles = "0";
   for (int i = 1; i < 5000; ++i) poles += "+1/(x-" + std::to_string(i) + "*y)";
-  const std::string hostile[] = {
-      "(((1+x)^1000)^1000)^1000", "(1+x)^1001", "((1+x)^1000)*x", "(1+x)^999/(1+y)^999*(1+x*y)", "(x+y+x*y+1)^999",
-      "((2^1000)^1000)^1000", "((1/3)^1000)^1000", "((((x+1)^10)^10)^10)^10", "(x+1e9999)^1000", "(x+1e-9999)^1000",
-      "1/(1+x+y)^400+1/(1+x-y)^400", "(1/(1+x+y)^999+1)^2", literals, primes, powers, poles};
+  const std::string hostile[] = {"(((1+x)^1000)^1000)^1000",
+                                 "(1+x)^1001",
+                                 "((1+x)^1000)*x",
+                                 "(1+x)^999/(1+y)^999*(1+x*y)",
+                                 "(x+y+x*y+1)^999",
+                                 "((2^1000)^1000)^1000",
+                                 "((1/3)^1000)^1000",
+                                 "((((x+1)^10)^10)^10)^10",
+                                 "(x+1e9999)^1000",
+                                 "(x+1e-9999)^1000",
+                                 "1/(1+x+y)^400+1/(1+x-y)^400",
+                                 "(1/(1+x+y)^999+1)^2",
+                                 literals,
+                                 primes,
+                                 powers,
+                                 poles};
   for (const auto& text : hostile) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_THROW(read_rational_function(text, xy), LimitError) << text.substr(0, 60);
@@ -99,9 +111,12 @@ struct Sample {
 Sample random_sample(std::mt19937& random, int depth, const Rational& x, const Rational& y) {
   if (depth == 0) {
     switch (random() % 4) {
-      case 0: return {"x", x};
-      case 1: return {"y", y};
-      case 2: return {"0.75", Rational(3, 4)};
+      case 0:
+        return {"x", x};
+      case 1:
+        return {"y", y};
+      case 2:
+        return {"0.75", Rational(3, 4)};
       default: {
         const int n = int(random() % 9);
         return {std::to_string(n), n};
@@ -111,14 +126,19 @@ Sample random_sample(std::mt19937& random, int depth, const Rational& x, const R
   const Sample a = random_sample(random, depth - 1, x, y);
   const Sample b = random_sample(random, depth - 1, x, y);
   switch (random() % 6) {
-    case 0: return {"(" + a.text + "+" + b.text + ")", a.value + b.value};
-    case 1: return {"(" + a.text + "-" + b.text + ")", a.value - b.value};
-    case 2: return {"(-" + a.text + ")", -a.value};
-    case 3: return {"(" + a.text + "^2)", a.value * a.value};
+    case 0:
+      return {"(" + a.text + "+" + b.text + ")", a.value + b.value};
+    case 1:
+      return {"(" + a.text + "-" + b.text + ")", a.value - b.value};
+    case 2:
+      return {"(-" + a.text + ")", -a.value};
+    case 3:
+      return {"(" + a.text + "^2)", a.value * a.value};
     case 4:
       if (b.value != 0) return {"(" + a.text + "/" + b.text + ")", a.value / b.value};
       [[fallthrough]];
-    default: return {"(" + a.text + "*" + b.text + ")", a.value * b.value};
+    default:
+      return {"(" + a.text + "*" + b.text + ")", a.value * b.value};
   }
 }
 

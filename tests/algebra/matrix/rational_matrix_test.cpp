@@ -28,7 +28,8 @@ RationalMatrix value_at(const Polynomial& p, const RationalMatrix& a) {
 
 TEST(RationalMatrix, Products) {
   std::mt19937 random(9);
-  const RationalMatrix a = random_matrix(random, 3, 4), b = random_matrix(random, 4, 2), c = random_matrix(random, 2, 5);
+  const RationalMatrix a = random_matrix(random, 3, 4), b = random_matrix(random, 4, 2),
+                       c = random_matrix(random, 2, 5);
   EXPECT_EQ((a * b) * c, a * (b * c));
   EXPECT_EQ(RationalMatrix::identity(3) * a, a);
   EXPECT_EQ(a * RationalMatrix::identity(4), a);

@@ -192,7 +192,11 @@ TEST(MultivariatePolynomial, Prints) {
   EXPECT_THROW(to_string(w, {"w"}), DomainError);
 }
 
+// Outlives main() and the memory pool of its thread.
+const P outliving = power(P::variable(1, 0) + P::constant(1, power(Rational(3), 99)), 20);
+
 TEST(MultivariatePolynomial, ThreadsShareContexts) {
+  EXPECT_EQ(outliving.degree(0), 20);
   std::vector<P> results(4);
   std::vector<std::thread> threads;
   for (P& result : results) {

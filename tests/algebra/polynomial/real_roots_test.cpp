@@ -35,11 +35,13 @@ void check_isolation(const Polynomial& a, const Rational& width, int expected_ro
     Polynomial d = a;
     for (int k = 0; k < multiplicity; ++k, d = derivative(d)) {
       const Polynomial common = gcd(d, square_free_part(a));
-      const bool root = lower == upper ? common(lower) == 0 : common.degree() > 0 && count_real_roots(common, lower, upper) == 1;
+      const bool root =
+          lower == upper ? common(lower) == 0 : common.degree() > 0 && count_real_roots(common, lower, upper) == 1;
       EXPECT_TRUE(root);
     }
     const Polynomial left = gcd(d, square_free_part(a));
-    const bool root = lower == upper ? left(lower) == 0 : left.degree() > 0 && count_real_roots(left, lower, upper) == 1;
+    const bool root =
+        lower == upper ? left(lower) == 0 : left.degree() > 0 && count_real_roots(left, lower, upper) == 1;
     EXPECT_FALSE(root);
   }
 }
@@ -76,7 +78,8 @@ TEST(RealRoots, SquareRootOfTwo) {
 }
 
 TEST(RealRoots, RationalRootsBecomePoints) {
-  const auto roots = isolate_real_roots(linear(Rational(1, 3)) * linear(0) * linear(Rational(-22, 7)), Rational(1, 1000));
+  const auto roots =
+      isolate_real_roots(linear(Rational(1, 3)) * linear(0) * linear(Rational(-22, 7)), Rational(1, 1000));
   ASSERT_EQ(roots.size(), 3u);
   const Rational expected[] = {Rational(-22, 7), 0, Rational(1, 3)};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -106,7 +106,8 @@ Mask four_point() {
 
 bool proves(const Mask& mask, int m, const Interval& interval, int level) {
   const Stop stop;
-  return ContractivityBound(*difference_symbol(mask, m + 1), mask.arity, {interval}).proves_contraction(level, {}, stop);
+  const LaurentPolynomial b = *difference_symbol(mask, m + 1);
+  return ContractivityBound(b, common_denominator(b), mask.arity, {interval}).proves_contraction(level, {}, stop);
 }
 
 TEST(ContractivityBound, NeverClaimsMoreThanThePointwiseNorm) {
@@ -151,10 +152,10 @@ TEST(ContractivityBound, DividesTheVanishingFactorAtOpenEndsOnly) {
 TEST(ContractivityBound, DenominatorsMustHaveAStrictSign) {
   const LaurentPolynomial b(1, 0, {number(Rational(1) / 100) / w});
   const Stop stop;
-  EXPECT_TRUE(ContractivityBound(b, 2, {{1, 2}}).proves_contraction(1, {}, stop));
-  EXPECT_TRUE(ContractivityBound(b, 2, {{-2, -1}}).proves_contraction(1, {}, stop));
-  EXPECT_FALSE(ContractivityBound(b, 2, {{-1, 1}}).proves_contraction(1, {}, stop));
-  EXPECT_FALSE(ContractivityBound(b, 2, {{0, 1, true, false}}).proves_contraction(1, {}, stop));
+  EXPECT_TRUE(ContractivityBound(b, common_denominator(b), 2, {{1, 2}}).proves_contraction(1, {}, stop));
+  EXPECT_TRUE(ContractivityBound(b, common_denominator(b), 2, {{-2, -1}}).proves_contraction(1, {}, stop));
+  EXPECT_FALSE(ContractivityBound(b, common_denominator(b), 2, {{-1, 1}}).proves_contraction(1, {}, stop));
+  EXPECT_FALSE(ContractivityBound(b, common_denominator(b), 2, {{0, 1, true, false}}).proves_contraction(1, {}, stop));
 }
 
 TEST(ContractivityBound, TwoParameters) {
@@ -164,11 +165,11 @@ TEST(ContractivityBound, TwoParameters) {
   const LaurentPolynomial b(2, 0, {x, RationalFunction(2), y});
   const Stop stop;
   const auto box = [](Rational x0, Rational x1, Rational y0, Rational y1) { return Box{{x0, x1}, {y0, y1}}; };
-  EXPECT_TRUE(ContractivityBound(b, 2, box(0, Rational(1) / 2, 0, Rational(49) / 100)).proves_contraction(1, {}, stop));
-  EXPECT_FALSE(ContractivityBound(b, 2, box(0, Rational(1) / 2, 0, Rational(1) / 2)).proves_contraction(1, {}, stop));
-  EXPECT_TRUE(ContractivityBound(b, 2, box(-Rational(1) / 2, 0, -Rational(49) / 100, 0)).proves_contraction(1, {}, stop));
+  EXPECT_TRUE(ContractivityBound(b, common_denominator(b), 2, box(0, Rational(1) / 2, 0, Rational(49) / 100)).proves_contraction(1, {}, stop));
+  EXPECT_FALSE(ContractivityBound(b, common_denominator(b), 2, box(0, Rational(1) / 2, 0, Rational(1) / 2)).proves_contraction(1, {}, stop));
+  EXPECT_TRUE(ContractivityBound(b, common_denominator(b), 2, box(-Rational(1) / 2, 0, -Rational(49) / 100, 0)).proves_contraction(1, {}, stop));
   // Both ends open: 1 - x - y vanishes in one corner only, which no product of powers divides out.
-  EXPECT_FALSE(ContractivityBound(b, 2, {{0, Rational(1) / 2, false, true}, {0, Rational(1) / 2, false, true}}).proves_contraction(1, {}, stop));
+  EXPECT_FALSE(ContractivityBound(b, common_denominator(b), 2, {{0, Rational(1) / 2, false, true}, {0, Rational(1) / 2, false, true}}).proves_contraction(1, {}, stop));
 }
 
 }  // namespace

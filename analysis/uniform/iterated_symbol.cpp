@@ -15,16 +15,22 @@ std::size_t block_size(const std::vector<int>& degrees, int level) {
 
 bool is_negative(const mp_limb_t* x, int limbs) { return (x[limbs - 1] >> (GMP_NUMB_BITS - 1)) != 0; }
 
-/// out += (or -=) magnitude * factor in two's complement of out_limbs limbs (arithmetic modulo 2^{64 out_limbs}).
-void accumulate(mp_limb_t* out, int out_limbs, const mp_limb_t* magnitude, int magnitude_limbs, mp_limb_t factor, bool subtract) {
-  const int limbs = std::min(out_limbs, magnitude_limbs);
-  const mp_limb_t carry =
-      subtract ? mpn_submul_1(out, magnitude, limbs, factor) : mpn_addmul_1(out, magnitude, limbs, factor);
-  if (carry == 0 || limbs == out_limbs) return;
-  if (subtract) {
-    mpn_sub_1(out + limbs, out + limbs, out_limbs - limbs, carry);
+/// out += x * factor modulo 2^{64 limbs}: in two's complement the sign of x needs no care when x is as wide as out. Limbs = 0 is for
+/// every width, others are unrolled, for factors of one limb.
+template <int Limbs>
+void add_product(mp_limb_t* out, const mp_limb_t* x, const std::vector<mp_limb_t>& factor, int limbs) {
+  if constexpr (Limbs == 0) {
+    const int parts = std::min(limbs, static_cast<int>(factor.size()));
+    for (int k = 0; k < parts; ++k) mpn_addmul_1(out + k, x, limbs - k, factor[k]);
   } else {
-    mpn_add_1(out + limbs, out + limbs, out_limbs - limbs, carry);
+    __extension__ using Wide = unsigned __int128;
+    const mp_limb_t single = factor[0];
+    mp_limb_t carry = 0;
+    for (int k = 0; k < Limbs; ++k) {
+      const Wide sum = static_cast<Wide>(x[k]) * single + out[k] + carry;
+      out[k] = static_cast<mp_limb_t>(sum);
+      carry = static_cast<mp_limb_t>(sum >> 64);
+    }
   }
 }
 
@@ -90,11 +96,13 @@ void IteratedSymbol::refine(const Stop& stop) {
   const std::vector<std::size_t> own_places = layout(1);
   const std::vector<std::size_t> places = layout(level_);
   std::vector<std::vector<Term>> terms(symbol_.size());
+  bool single = true;
   for (std::size_t i = 0; i < symbol_.size(); ++i) {
     for (std::size_t index = 0; index < own_places.size(); ++index) {
       const Integer& c = symbol_[i][index];
       if (c == 0) continue;
       mpz_srcptr z = c.backend().data();
+      single = single && mpz_size(z) == 1;
       terms[i].push_back({own_places[index], mpz_sgn(z) < 0, {mpz_limbs_read(z), mpz_limbs_read(z) + mpz_size(z)}});
     }
   }
@@ -103,32 +111,12 @@ void IteratedSymbol::refine(const Stop& stop) {
   const std::size_t next_block = block_size(degrees_, level_ + 1);
   const int next_limbs = limbs_at(level_ + 1);
   std::vector<mp_limb_t> next(next_length * next_block * next_limbs, 0);
-  std::vector<mp_limb_t> magnitude(limbs_);
-  // b^{[l+1]}(z) = b(z) b^{[l]}(z^p): the coefficient j of b^{[l]} is spread over p j + i with weights b_i.
-  const mp_limb_t* source = data_.data();
-  for (std::size_t j = 0; j < length_; ++j) {
-    if (j % 4096 == 0) stop.check();
-    for (std::size_t index = 0; index < block_; ++index, source += limbs_) {
-      const bool negative = is_negative(source, limbs_);
-      if (negative) {
-        mpn_neg(magnitude.data(), source, limbs_);
-      } else {
-        std::copy_n(source, limbs_, magnitude.data());
-      }
-      int used = limbs_;
-      while (used > 0 && magnitude[used - 1] == 0) --used;
-      if (used == 0) continue;
-      for (std::size_t i = 0; i < terms.size(); ++i) {
-        mp_limb_t* const block = next.data() + (j * arity_ + i) * next_block * next_limbs;
-        for (const Term& term : terms[i]) {
-          mp_limb_t* const out = block + (places[index] + term.offset) * next_limbs;
-          for (std::size_t limb = 0; limb < term.limbs.size(); ++limb) {
-            const int room = next_limbs - static_cast<int>(limb);
-            if (room > 0) accumulate(out + limb, room, magnitude.data(), used, term.limbs[limb], term.negative != negative);
-          }
-        }
-      }
-    }
+  switch (single ? next_limbs : 0) {
+    case 1: spread<1>(terms, places, next, next_block, next_limbs, stop); break;
+    case 2: spread<2>(terms, places, next, next_block, next_limbs, stop); break;
+    case 3: spread<3>(terms, places, next, next_block, next_limbs, stop); break;
+    case 4: spread<4>(terms, places, next, next_block, next_limbs, stop); break;
+    default: spread<0>(terms, places, next, next_block, next_limbs, stop);
   }
   data_ = std::move(next);
   length_ = next_length;
@@ -137,8 +125,32 @@ void IteratedSymbol::refine(const Stop& stop) {
   ++level_;
 }
 
-void IteratedSymbol::row_sum(std::size_t residue, std::vector<Integer>& row) const {
-  std::vector<mp_limb_t> sums(block_ * limbs_, 0);
+template <int Limbs>
+void IteratedSymbol::spread(const std::vector<std::vector<Term>>& terms, const std::vector<std::size_t>& places,
+                            std::vector<mp_limb_t>& next, std::size_t next_block, int next_limbs, const Stop& stop) const {
+  // b^{[l+1]}(z) = b(z) b^{[l]}(z^p): the coefficient j of b^{[l]} is spread over p j + i with weights b_i.
+  std::vector<mp_limb_t> value(next_limbs);
+  std::vector<mp_limb_t> negated(next_limbs);
+  const mp_limb_t* source = data_.data();
+  for (std::size_t j = 0; j < length_; ++j) {
+    if (j % 4096 == 0) stop.check();
+    for (std::size_t index = 0; index < block_; ++index, source += limbs_) {
+      if (std::all_of(source, source + limbs_, [](mp_limb_t limb) { return limb == 0; })) continue;
+      std::copy_n(source, limbs_, value.data());
+      std::fill(value.begin() + limbs_, value.end(), is_negative(source, limbs_) ? ~mp_limb_t(0) : 0);
+      mpn_neg(negated.data(), value.data(), next_limbs);
+      mp_limb_t* block = next.data() + (j * arity_ * next_block + places[index]) * next_limbs;
+      for (std::size_t i = 0; i < terms.size(); ++i, block += next_block * next_limbs) {
+        for (const Term& term : terms[i]) {
+          add_product<Limbs>(block + term.offset * next_limbs, (term.negative ? negated : value).data(), term.limbs, next_limbs);
+        }
+      }
+    }
+  }
+}
+
+void IteratedSymbol::row_sum(std::size_t residue, std::vector<mp_limb_t>& sums, std::vector<Integer>& row) const {
+  sums.assign(block_ * limbs_, 0);
   const std::size_t step = stride();
   for (std::size_t j = residue; j < length_; j += step) {
     const mp_limb_t* source = data_.data() + j * block_ * limbs_;

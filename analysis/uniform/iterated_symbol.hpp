@@ -32,8 +32,9 @@ class IteratedSymbol {
   template <class Visit>
   void visit_row_sums(Visit visit) const {
     std::vector<Integer> row(block_);
+    std::vector<mp_limb_t> sums;
     for (std::size_t residue = 0; residue < stride(); ++residue) {
-      row_sum(residue, row);
+      row_sum(residue, sums, row);
       if (!visit(row)) return;
     }
   }
@@ -42,11 +43,14 @@ class IteratedSymbol {
   struct Term {
     std::size_t offset;             // place of the multi-index I of this term in the layout of the next level
     bool negative;
-    std::vector<mp_limb_t> limbs;   // magnitude
+    std::vector<mp_limb_t> limbs;   // magnitude of the weight
   };
 
   std::size_t stride() const;
-  void row_sum(std::size_t residue, std::vector<Integer>& row) const;
+  template <int Limbs>
+  void spread(const std::vector<std::vector<Term>>& terms, const std::vector<std::size_t>& places, std::vector<mp_limb_t>& next,
+              std::size_t next_block, int next_limbs, const Stop& stop) const;
+  void row_sum(std::size_t residue, std::vector<mp_limb_t>& sums, std::vector<Integer>& row) const;
   std::vector<std::size_t> layout(int level) const;
   int limbs_at(int level) const;
 

@@ -160,8 +160,8 @@ class Verification {
       unexpected += result.verdict.outcome != result.claim.expected;
     }
     if (options_.quiet && unexpected == 0) return;
-    std::cout << fmt::format("{}{} claims: {} certified, {} refuted, {} undecided; {}. Certificates: {}\n",
-                             options_.quiet ? "" : "\n", results_.size(), counts[0], counts[1], counts[2],
+    std::cout << fmt::format("{}{} claim{}: {} certified, {} refuted, {} undecided; {}. Certificates: {}\n",
+                             options_.quiet ? "" : "\n", results_.size(), results_.size() == 1 ? "" : "s", counts[0], counts[1], counts[2],
                              unexpected ? fmt::format("{} against expectation", unexpected) : "all as expected",
                              options_.certificates.string());
   }

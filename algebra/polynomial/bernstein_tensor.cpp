@@ -133,7 +133,8 @@ std::pair<BernsteinTensor, BernsteinTensor> bisect(const BernsteinTensor& tensor
   const auto n = static_cast<std::size_t>(tensor.degrees[k]);
   const std::size_t stride = strides_of(tensor.degrees)[k];
   std::pair<BernsteinTensor, BernsteinTensor> halves{tensor, tensor};
-  auto& [left, right] = halves;
+  BernsteinTensor& left = halves.first;  // no structured binding: clang 14 cannot capture one
+  BernsteinTensor& right = halves.second;
   // Sums instead of means: after round i the entries are 2^i times those of de Casteljau's triangle.
   for_each_line(tensor.values.size(), stride, n + 1, [&](std::size_t start) {
     const auto at = [&](BernsteinTensor& half, std::size_t i) -> Integer& { return half.values[start + i * stride]; };

@@ -93,9 +93,12 @@ std::vector<std::size_t> IteratedSymbol::layout(int level) const {
 }
 
 void IteratedSymbol::refine(const Stop& stop) {
+  const std::size_t next_length = (length_ - 1) * arity_ + symbol_.size();
+  const std::size_t next_block = block_size(degrees_, level_ + 1);
+  const int next_limbs = limbs_at(level_ + 1);
   const std::vector<std::size_t> own_places = layout(1);
   const std::vector<std::size_t> places = layout(level_);
-  std::vector<std::vector<Term>> terms(symbol_.size());
+  std::vector<Term> terms;
   bool single = true;
   for (std::size_t i = 0; i < symbol_.size(); ++i) {
     for (std::size_t index = 0; index < own_places.size(); ++index) {
@@ -103,20 +106,17 @@ void IteratedSymbol::refine(const Stop& stop) {
       if (c == 0) continue;
       mpz_srcptr z = c.backend().data();
       single = single && mpz_size(z) == 1;
-      terms[i].push_back({own_places[index], mpz_sgn(z) < 0, {mpz_limbs_read(z), mpz_limbs_read(z) + mpz_size(z)}});
+      terms.push_back({(i * next_block + own_places[index]) * next_limbs, mpz_sgn(z) < 0,
+                       {mpz_limbs_read(z), mpz_limbs_read(z) + mpz_size(z)}});
     }
   }
-
-  const std::size_t next_length = (length_ - 1) * arity_ + symbol_.size();
-  const std::size_t next_block = block_size(degrees_, level_ + 1);
-  const int next_limbs = limbs_at(level_ + 1);
   std::vector<mp_limb_t> next(next_length * next_block * next_limbs, 0);
   switch (single ? next_limbs : 0) {
-    case 1: spread<1>(terms, places, next, next_block, next_limbs, stop); break;
-    case 2: spread<2>(terms, places, next, next_block, next_limbs, stop); break;
-    case 3: spread<3>(terms, places, next, next_block, next_limbs, stop); break;
-    case 4: spread<4>(terms, places, next, next_block, next_limbs, stop); break;
-    default: spread<0>(terms, places, next, next_block, next_limbs, stop);
+    case 1: spread<1>(terms, places, next_block, next_limbs, next, stop); break;
+    case 2: spread<2>(terms, places, next_block, next_limbs, next, stop); break;
+    case 3: spread<3>(terms, places, next_block, next_limbs, next, stop); break;
+    case 4: spread<4>(terms, places, next_block, next_limbs, next, stop); break;
+    default: spread<0>(terms, places, next_block, next_limbs, next, stop);
   }
   data_ = std::move(next);
   length_ = next_length;
@@ -126,8 +126,8 @@ void IteratedSymbol::refine(const Stop& stop) {
 }
 
 template <int Limbs>
-void IteratedSymbol::spread(const std::vector<std::vector<Term>>& terms, const std::vector<std::size_t>& places,
-                            std::vector<mp_limb_t>& next, std::size_t next_block, int next_limbs, const Stop& stop) const {
+void IteratedSymbol::spread(const std::vector<Term>& terms, const std::vector<std::size_t>& places, std::size_t next_block,
+                            int next_limbs, std::vector<mp_limb_t>& next, const Stop& stop) const {
   // b^{[l+1]}(z) = b(z) b^{[l]}(z^p): the coefficient j of b^{[l]} is spread over p j + i with weights b_i.
   std::vector<mp_limb_t> value(next_limbs);
   std::vector<mp_limb_t> negated(next_limbs);
@@ -139,11 +139,9 @@ void IteratedSymbol::spread(const std::vector<std::vector<Term>>& terms, const s
       std::copy_n(source, limbs_, value.data());
       std::fill(value.begin() + limbs_, value.end(), is_negative(source, limbs_) ? ~mp_limb_t(0) : 0);
       mpn_neg(negated.data(), value.data(), next_limbs);
-      mp_limb_t* block = next.data() + (j * arity_ * next_block + places[index]) * next_limbs;
-      for (std::size_t i = 0; i < terms.size(); ++i, block += next_block * next_limbs) {
-        for (const Term& term : terms[i]) {
-          add_product<Limbs>(block + term.offset * next_limbs, (term.negative ? negated : value).data(), term.limbs, next_limbs);
-        }
+      mp_limb_t* const out = next.data() + (j * arity_ * next_block + places[index]) * next_limbs;
+      for (const Term& term : terms) {
+        add_product<Limbs>(out + term.offset, (term.negative ? negated : value).data(), term.limbs, next_limbs);
       }
     }
   }

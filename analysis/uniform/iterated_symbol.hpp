@@ -40,16 +40,17 @@ class IteratedSymbol {
   }
 
  private:
+  /// A monomial of b, as refine() adds multiples of it to the next level.
   struct Term {
-    std::size_t offset;             // place of the multi-index I of this term in the layout of the next level
+    std::size_t offset;             // in limbs
     bool negative;
-    std::vector<mp_limb_t> limbs;   // magnitude of the weight
+    std::vector<mp_limb_t> limbs;   // magnitude
   };
 
   std::size_t stride() const;
   template <int Limbs>
-  void spread(const std::vector<std::vector<Term>>& terms, const std::vector<std::size_t>& places, std::vector<mp_limb_t>& next,
-              std::size_t next_block, int next_limbs, const Stop& stop) const;
+  void spread(const std::vector<Term>& terms, const std::vector<std::size_t>& places, std::size_t next_block, int next_limbs,
+              std::vector<mp_limb_t>& next, const Stop& stop) const;
   void row_sum(std::size_t residue, std::vector<mp_limb_t>& sums, std::vector<Integer>& row) const;
   std::vector<std::size_t> layout(int level) const;
   int limbs_at(int level) const;

@@ -5,12 +5,6 @@
 
 namespace limes::checker {
 
-std::size_t Bernstein::size() const {
-  std::size_t result = 1;
-  for (const int n : degrees) result *= static_cast<std::size_t>(n + 1);
-  return result;
-}
-
 Bernstein Bernstein::polynomial(std::size_t j) const {
   const auto start = coefficients.begin() + static_cast<std::ptrdiff_t>(j * size());
   return {degrees, std::vector<mpz_class>(start, start + static_cast<std::ptrdiff_t>(size()))};
@@ -42,7 +36,9 @@ Bernstein to_bernstein(const std::vector<Polynomial>& polynomials, const Region&
     const mpq_class &lower = box[axes[k]].lower.value, &upper = box[axes[k]].upper.value;
     const mpz_class g = lcm(lower.get_den(), upper.get_den());
     const mpz_class a = mpq_class(lower * g).get_num(), b = mpq_class(upper * g).get_num();
-    const double n = degrees[k] + 1, length = n * std::max({limbs(a), limbs(b), limbs(g)});
+    const mpz_class largest = abs(a) + abs(b) + g;
+    const double n = degrees[k] + 1, bits = static_cast<double>(mpz_sizeinbase(largest.get_mpz_t(), 2)) + 1;
+    const double length = n * bits / 64 + 1;
     budget.work(n * n * n * cost(length, length));
     budget.hold(n * n * (32 + 8 * length));
     std::vector<int> unit(axes.size(), 0);

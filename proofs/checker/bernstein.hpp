@@ -5,6 +5,9 @@
 
 namespace limes::checker {
 
+/// prod_k (multiple n_k + 1), the coefficients in a multiple of the multidegree n; as an estimate it cannot overflow.
+double tensor_size(const std::vector<int>& degrees, double multiple);
+
 /// Polynomials c_0, c_1, .. (the coefficients of a symbol in z, or a single one) on the closure of a box, all in the
 /// same multidegree n, as *scaled* Bernstein coefficients: with t_k from 0 to 1 along axis k and s_k = 1 - t_k,
 ///
@@ -16,15 +19,13 @@ struct Bernstein {
   std::vector<int> degrees;
   std::vector<mpz_class> coefficients;
 
-  std::size_t size() const;  ///< coefficients of one polynomial: prod_k (n_k + 1)
+  std::size_t size() const { return static_cast<std::size_t>(tensor_size(degrees, 1)); }  ///< of one polynomial
   std::size_t count() const { return coefficients.size() / size(); }
   Bernstein polynomial(std::size_t j) const;
   bool is_zero(std::size_t j) const;
 };
 
-/// prod_k (multiple n_k + 1), the greatest limbs, and the nanoseconds of a multiplication: estimates that cannot
-/// overflow.
-double tensor_size(const std::vector<int>& degrees, double multiple);
+/// The greatest size of a coefficient, and the nanoseconds of a multiplication with addition.
 double limbs(const Bernstein& p);
 inline double cost(double limbs_x, double limbs_y) { return 30 + 0.7 * limbs_x * limbs_y; }
 

@@ -26,8 +26,7 @@ class Parser {
 
  private:
   [[noreturn]] void fail(const std::string& why) const {
-    const std::string column = std::to_string(position_ + 1);
-    throw Rejected{"scheme", "the expression " + quoted(text_) + " " + why + " at column " + column};
+    throw Rejected{"scheme", "expression " + quoted(text_) + " " + why + " at column " + std::to_string(position_ + 1)};
   }
   bool take(char c) {
     while (position_ < text_.size() && text_[position_] == ' ') ++position_;

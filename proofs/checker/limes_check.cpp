@@ -21,7 +21,7 @@ Checks certificates of the smoothness of subdivision schemes and prints, for eve
   FILE: valid: <what is proved>       or       FILE: invalid: <step>: <why>
 
   --json     print one JSON object with all results and nothing else
-  --quiet    print nothing; the exit status tells
+  --quiet    print only what is invalid
   --help     print this text
   --version  print the version
 

@@ -48,15 +48,8 @@ void prove_u1(const LocalScheme& scheme, int level) {
   const std::size_t period = modulus > static_cast<double>(count) ? count + 1 : static_cast<std::size_t>(modulus);
   for (std::size_t residue = 0; residue < period; ++residue) {
     std::vector<mpz_class> gap = bound.coefficients;
-    for (std::size_t j = residue; j < count; j += period) {
-      for (std::size_t i = 0; i < size; ++i) {
-        const mpz_class& c = iterated.coefficients[j * size + i];
-        if (c > 0)
-          gap[i] -= c;
-        else
-          gap[i] += c;
-      }
-    }
+    for (std::size_t j = residue; j < count; j += period)
+      for (std::size_t i = 0; i < size; ++i) gap[i] -= abs(iterated.coefficients[j * size + i]);
     if (!is_positive(gap, bound.degrees, scheme.box))
       throw Rejected{"contractivity", "the norm of level " + std::to_string(level) + " is not proved below 1"};
   }

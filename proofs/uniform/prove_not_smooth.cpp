@@ -193,6 +193,7 @@ class RegionProver {
          approx_expanding_words(*sections_, center, limits_.max_word_length, hint_threshold, limits_.max_words / 8, stop_)) {
       any_hint_ = true;
       if (++tested > limits_.max_exact_words) break;
+      if (!may_be_non_positive(hint.word, box)) continue;
       auto place = signs_.find(hint.word);
       if (place == signs_.end()) place = signs_.emplace(hint.word, expansion_signs(*sections_, hint.word)).first;
       if (is_non_positive(place->second.at_one, hint.word, box) || is_non_positive(place->second.at_minus_one, hint.word, box)) {
@@ -200,6 +201,19 @@ class RegionProver {
       }
     }
     return std::nullopt;
+  }
+
+  /// Whether one of the signs is <= 0 at all sample points: numbers are cheaper than polynomials in the parameters.
+  bool may_be_non_positive(const std::vector<int>& word, const Box& box) const {
+    bool at_one = true;
+    bool at_minus_one = true;
+    for (const std::vector<Rational>& point : sample_points(box)) {
+      const Polynomial chi = characteristic_polynomial(sections_->product(word, point));
+      at_one = at_one && chi(1) <= 0;
+      at_minus_one = at_minus_one && (chi.degree() % 2 ? -chi(-1) : chi(-1)) <= 0;
+      if (!at_one && !at_minus_one) return false;
+    }
+    return true;
   }
 
   /// Whether one of expansion_signs() is <= 0 on the box once the denominator is made positive there.

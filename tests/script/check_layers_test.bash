@@ -57,7 +57,7 @@ rejects proofs/checker/check.cpp '#include <boost/rational.hpp>' 'only the stand
 rejects reports/report.hpp '#include "checker/check.hpp"' 'may know the checker'
 rejects proofs/claim.hpp '#include "proofs/checker/check.hpp"' 'not installed'
 rejects analysis/uniform/norm.hpp '#include "proofs/checker/check.hpp"' 'may know the checker'
-rejects bench/bench.cpp '#include "proofs/checker/check.hpp"' 'may know the checker'
+rejects schemes/planted.cpp '#include "proofs/checker/check.hpp"' 'may know the checker'
 rejects schemes/scheme.hpp '#include "algebra/number/flint_conversion.hpp"' 'private header'
 rejects algebra/number/rational.hpp '#include <arb.h>' 'public header'
 rejects analysis/uniform/norm.hpp '#include "schemes/gone.hpp"' 'no file of this project'

@@ -1,6 +1,5 @@
 #include "tests/checker/certificates.hpp"
 
-#include <chrono>
 #include <cstdio>
 #include <random>
 
@@ -169,29 +168,27 @@ TEST(Input, HugeNumbersAndExponentsMeetALimit) {
 }
 
 TEST(Input, WorkIsLimitedBeforeItIsDone) {
-  const auto fast = [](const Json& json, const std::string& steps) {
-    const auto start = std::chrono::steady_clock::now();
-    expect_invalid(json, steps);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+  const auto refused = [](const Json& json, const std::string& steps) {
+    expect_invalid(json, steps);  // what would hang meets CTest's time limit
   };
-  fast(smooth({{"w"}, four_point, "C1", {{"w", "[1/10, 1/8]"}}}, 24), "limits");
-  fast(smooth({{"w"}, four_point, "C1", {{"w", "1/16"}}}, 24), "limits");
-  fast(smooth({{}, std::vector<std::string>(1024, "1/512"), "C0"}, 20), "limits");
-  fast(smooth({{}, {"1", "1"}, "C0", Json::object(), 2}, 24), "contractivity");  // b = 1: one entry at every level
+  refused(smooth({{"w"}, four_point, "C1", {{"w", "[1/10, 1/8]"}}}, 24), "limits");
+  refused(smooth({{"w"}, four_point, "C1", {{"w", "1/16"}}}, 24), "limits");
+  refused(smooth({{}, std::vector<std::string>(1024, "1/512"), "C0"}, 20), "limits");
+  refused(smooth({{}, {"1", "1"}, "C0", Json::object(), 2}, 24), "contractivity");  // b = 1: one entry at every level
   // A long word over large sections, and many leaves.
   std::vector<std::string> mask{"1"};
   for (int k = 0; k < 400; ++k) mask.insert(mask.end(), {"0", k % 2 ? "1/200" : "0"});
   mask.push_back("0");
-  fast(rough({{}, mask, "not C0"}, "interpolatory", std::vector<int>(64, 1)), "limits stability factor word");
+  refused(rough({{}, mask, "not C0"}, "interpolatory", std::vector<int>(64, 1)), "limits stability factor word");
   Json leaves = Json::array();
   for (int k = 0; k < 400; ++k) leaves.push_back({{"region", {{"w", "[1/10, 1/8]"}}}, {"level", 12}});
   leaves.push_back({{"region", {{"w", "[1/1000000, 1/10]"}}}, {"level", 12}});
-  fast(certificate({{"w"}, four_point, "C1", {{"w", "[1/1000000, 1/8]"}}}, "certified", "U1", {{"leaves", leaves}}),
+  refused(certificate({{"w"}, four_point, "C1", {{"w", "[1/1000000, 1/8]"}}}, "certified", "U1", {{"leaves", leaves}}),
        "limits");
   leaves = Json::array();
   for (int k = 0; k <= 100000; ++k) leaves.push_back(0);
-  fast(certificate({{"w"}, four_point, "C1", {{"w", "1/8"}}}, "certified", "U1", {{"leaves", leaves}}), "proof");
-  fast(Json(std::vector<int>(3000000, 1)), "limits");
+  refused(certificate({{"w"}, four_point, "C1", {{"w", "1/8"}}}, "certified", "U1", {{"leaves", leaves}}), "proof");
+  refused(Json(std::vector<int>(3000000, 1)), "limits");
 }
 
 TEST(Input, LettersLevelsAndArity) {

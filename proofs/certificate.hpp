@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/nonuniform/dominance_test.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "schemes/scheme.hpp"
 
@@ -16,6 +17,11 @@ enum class Theorem {
   u1,
   /// A missing factor or an expanding word of difference sections disproves C^m. [Dyn & Levin 2002]
   u2,
+  /// The uniform scheme by U1 and dominated eigenvalues at every isolated knot ratio prove C^m for all knots. [Warren 1995;
+  /// Daubechies, Guskov & Sweldens 1999]
+  n1,
+  /// An eigenvalue at one isolated knot ratio that C^m does not admit.
+  n3,
 };
 
 std::string to_string(Theorem theorem);
@@ -31,24 +37,53 @@ struct WordWitness {
   std::vector<int> word;
 };
 
+/// The eigenvalues at the knot ratio gamma are not those of a C^m scheme at the leaf, a point (N3).
+struct RatioWitness {
+  Rational gamma;
+};
+
 /// One box of a proof with the witness that settles it.
 struct ProofLeaf {
   Box region;
-  std::variant<ContractionWitness, MissingFactorWitness, WordWitness> witness;
+  std::variant<ContractionWitness, MissingFactorWitness, WordWitness, RatioWitness> witness;
+};
+
+/// The witness data of Theorems U1, U2 and N3.
+struct LeafProof {
+  /// For U2.
+  std::optional<Stability> stability;
+  std::vector<ProofLeaf> leaves;
+};
+
+/// A factor of the characteristic polynomial at an isolated knot ratio, with boxes (parameters, then gamma) that cover
+/// gamma in (0, 1] times the region, on each of which its roots are dominated.
+struct DominatedFactor {
+  LambdaPolynomial polynomial;
+  int multiplicity = 1;
+  std::vector<DominanceLeaf> leaves;
+};
+
+/// The witness data of Theorem N1.
+struct KnotProof {
+  std::vector<ProofLeaf> uniform_leaves;
+  std::vector<DominatedFactor> factors;
 };
 
 /// A complete proof of a verdict, self-contained: docs/certificate.md defines its JSON form and what limes-check verifies.
 struct Certificate {
   std::string scheme;
   VariableNames parameters;
-  Mask mask;
+  std::variant<Mask, InsertionRuleText> definition;
   Claim claim;
   /// certified or refuted
   Outcome verdict = Outcome::certified;
   Theorem theorem = Theorem::u1;
-  /// For U2.
-  std::optional<Stability> stability;
-  std::vector<ProofLeaf> leaves;
+  std::variant<LeafProof, KnotProof> proof;
+
+  /// Highest level of a contraction leaf, 0 without one.
+  int level() const;
+  /// Number of boxes of the proof.
+  int leaf_count() const;
 };
 
 /// The JSON text, deterministic byte by byte.

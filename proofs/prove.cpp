@@ -3,6 +3,7 @@
 #include "algebra/error.hpp"
 #include "algebra/polynomial/bernstein_form.hpp"
 #include "proofs/checker/checker.hpp"
+#include "proofs/nonuniform/knot_proof.hpp"
 #include "proofs/uniform/smoothness_proof.hpp"
 
 #include <fmt/format.h>
@@ -11,16 +12,48 @@
 namespace limes {
 namespace {
 
-Box point_box(const std::vector<Rational>& point) {
-  Box box;
-  for (const Rational& x : point) box.push_back(Interval::point(x));
-  return box;
+/// What became of "C^m" or "not C^m" on a region.
+struct Attempt {
+  std::optional<std::variant<LeafProof, KnotProof>> proof;
+  Theorem theorem = Theorem::u1;
+  std::string reason;
+  /// Where it got stuck: a candidate for the opposite; for non-uniform schemes with the knot ratio, if one is to blame.
+  std::optional<std::vector<Rational>> failing_point;
+  std::optional<Rational> failing_ratio;
+};
+
+Attempt from_leaves(ProofAttempt leaves, Theorem theorem) {
+  Attempt attempt{.proof = {}, .theorem = theorem, .reason = std::move(leaves.reason),
+                  .failing_point = std::move(leaves.failing_point), .failing_ratio = {}};
+  if (leaves.proved) attempt.proof = LeafProof{leaves.stability, std::move(leaves.leaves)};
+  return attempt;
 }
 
-ProofAttempt attempt_statement(const Scheme& scheme, int m, bool negated, const Box& region, const ProofLimits& limits,
-                               const Stop& stop) {
-  return negated ? prove_not_smooth(scheme.mask, m, region, limits, stop)
-                 : prove_smooth(scheme.mask, m, region, limits, stop);
+Attempt attempt_for_all_knots(const InsertionRule& rule, int m, const Box& region, const ProofLimits& limits, const Stop& stop) {
+  KnotProofAttempt knots = prove_smooth_for_all_knots(rule, m, region, limits, stop);
+  Attempt attempt{.proof = {}, .theorem = Theorem::n1, .reason = std::move(knots.reason),
+                  .failing_point = std::move(knots.failing_point), .failing_ratio = {}};
+  if (knots.proof) attempt.proof = std::move(*knots.proof);
+  if (knots.expanding_point) {
+    attempt.failing_ratio = knots.expanding_point->back();
+    knots.expanding_point->pop_back();
+    attempt.failing_point = std::move(knots.expanding_point);
+  }
+  return attempt;
+}
+
+/// "C^m" or, negated, "not C^m" at every point of the region. \param ratio a knot ratio to try first against C^m
+Attempt attempt_statement(const Scheme& scheme, int m, bool negated, const Box& region, const std::optional<Rational>& ratio,
+                          const ProofLimits& limits, const Stop& stop) {
+  if (!negated) {
+    return scheme.insertion_rule ? attempt_for_all_knots(*scheme.insertion_rule, m, region, limits, stop)
+                       : from_leaves(prove_smooth(scheme.mask, m, region, limits, stop), Theorem::u1);
+  }
+  // Equal intervals are a knot sequence: what is not C^m there is not C^m.
+  Attempt attempt = from_leaves(prove_not_smooth(scheme.mask, m, region, limits, stop), Theorem::u2);
+  if (attempt.proof || !scheme.insertion_rule || !is_point(region)) return attempt;
+  Attempt by_ratio = from_leaves(refute_by_ratio(*scheme.insertion_rule, m, midpoint(region), ratio, stop), Theorem::n3);
+  return by_ratio.proof ? by_ratio : attempt;
 }
 
 /// "w = 1/16, mu = 2"
@@ -31,37 +64,48 @@ std::string describe_point(std::span<const Rational> point, const VariableNames&
 }
 
 /// Why an attempt failed, and where.
-std::string describe_failure(const ProofAttempt& attempt, const VariableNames& names) {
+std::string describe_failure(const Attempt& attempt, const VariableNames& names) {
   if (!attempt.failing_point || names.empty()) return attempt.reason;
   return fmt::format("{} at {}", attempt.reason, describe_point(*attempt.failing_point, names));
 }
 
-/// What a proof of "C^m" or "not C^m" says, in one sentence.
-std::string describe_proof(const ProofAttempt& attempt, int m, bool negated, bool refutes, const VariableNames& names) {
-  const ProofLeaf& leaf = attempt.leaves.front();
-  const std::string where = refutes && !names.empty() ? "at " + describe_point(midpoint(leaf.region), names) + ": " : "";
-  if (!negated) return fmt::format("{}sigma^{} divides the symbol and the difference scheme contracts", where, m + 1);
-  if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) {
-    return fmt::format("{}the sections B_e along the word {} have a product of spectral radius >= 1", where,
-                       fmt::join(word->word, " "));
+std::string describe_leaf(const ProofLeaf& leaf, int m) {
+  if (const auto* ratio = std::get_if<RatioWitness>(&leaf.witness)) {
+    return fmt::format("at the knot ratio gamma = {} an eigenvalue besides 1, .., 2^-{} has modulus >= 2^-{}", to_string(ratio->gamma),
+                       m, m);
   }
-  return fmt::format("{}sigma^{} does not divide the symbol", where, m + 1);
+  if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) {
+    return fmt::format("the sections B_e along the word {} have a product of spectral radius >= 1", fmt::join(word->word, " "));
+  }
+  if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) return fmt::format("sigma^{} does not divide the symbol", m + 1);
+  return fmt::format("sigma^{} divides the symbol and the difference scheme contracts", m + 1);
 }
 
-Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, ProofAttempt attempt) {
-  const bool negated = claim.negated == (outcome == Outcome::certified);
+/// What a proof says, in one sentence; for a refutation with the parameter value.
+std::string describe_proof(const Certificate& certificate) {
+  const int m = certificate.claim.smoothness;
+  if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
+    const ProofLeaf& leaf = leaves->leaves.front();
+    if (certificate.verdict != Outcome::refuted || certificate.parameters.empty()) return describe_leaf(leaf, m);
+    return fmt::format("at {}: {}", describe_point(midpoint(leaf.region), certificate.parameters), describe_leaf(leaf, m));
+  }
+  return fmt::format("equal intervals: contraction; all other eigenvalues at an isolated knot ratio are below 2^-{}", m);
+}
+
+Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, Attempt attempt) {
   Verdict verdict;
   verdict.outcome = outcome;
-  verdict.reason = describe_proof(attempt, claim.smoothness, negated, outcome == Outcome::refuted, scheme.parameter_names());
-  verdict.certificate = Certificate{.scheme = scheme.name,
-                                    .parameters = scheme.parameter_names(),
-                                    .mask = scheme.mask,
-                                    .claim = claim,
-                                    .verdict = outcome,
-                                    .theorem = negated ? Theorem::u2 : Theorem::u1,
-                                    .stability = attempt.stability,
-                                    .leaves = std::move(attempt.leaves)};
-  verdict.certificate_json = to_json(*verdict.certificate);
+  Certificate certificate{.scheme = scheme.name,
+                          .parameters = scheme.parameter_names(),
+                          .definition = scheme.mask,
+                          .claim = claim,
+                          .verdict = outcome,
+                          .theorem = attempt.theorem,
+                          .proof = std::move(*attempt.proof)};
+  if (scheme.insertion_rule) certificate.definition = scheme.insertion_rule->text();
+  verdict.reason = describe_proof(certificate);
+  verdict.certificate_json = to_json(certificate);
+  verdict.certificate = std::move(certificate);
   const checker::Result result = checker::check(verdict.certificate_json);
   if (!result.valid && result.step == "limits") {
     Verdict undecided;
@@ -75,42 +119,52 @@ Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, Proo
   return verdict;
 }
 
+/// A denominator of the definition that is not proved to have a strict sign on the region.
+std::optional<MultivariatePolynomial> possible_pole(const Scheme& scheme, const Box& region) {
+  std::vector<MultivariatePolynomial> denominators;
+  for (const RationalFunction& c : scheme.mask.symbol.coefficients()) denominators.push_back(c.denominator());
+  if (scheme.insertion_rule) {
+    for (const MultivariatePolynomial& d : scheme.insertion_rule->parameter_denominators()) denominators.push_back(d);
+  }
+  for (const MultivariatePolynomial& d : denominators) {
+    if (!d.is_constant() && prove_strict_sign(d, region) == 0) return d;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
-  for (const RationalFunction& c : scheme.mask.symbol.coefficients()) {
-    if (c.is_polynomial() || prove_strict_sign(c.denominator(), claim.region) != 0) continue;
-    Verdict verdict;
-    verdict.reason = fmt::format("the mask may have a pole in the region: a zero of {}",
-                                 to_string(c.denominator(), scheme.parameter_names()));
-    return verdict;
+  Verdict undecided;
+  if (const auto pole = possible_pole(scheme, claim.region)) {
+    undecided.reason = fmt::format("the definition may have a pole in the region: a zero of {}",
+                                   to_string(*pole, scheme.parameter_names()));
+    return undecided;
   }
+  const int m = claim.smoothness;
   try {
-    ProofAttempt direct = attempt_statement(scheme, claim.smoothness, claim.negated, claim.region, limits, stop);
-    if (direct.proved) return conclude(scheme, claim, Outcome::certified, std::move(direct));
+    Attempt direct = attempt_statement(scheme, m, claim.negated, claim.region, std::nullopt, limits, stop);
+    if (direct.proof) return conclude(scheme, claim, Outcome::certified, std::move(direct));
 
     std::vector<std::vector<Rational>> points = sample_points(claim.region);
     if (direct.failing_point) points.insert(points.begin(), *direct.failing_point);
     std::string opposite_reason;
     for (const std::vector<Rational>& point : points) {
-      ProofAttempt opposite = attempt_statement(scheme, claim.smoothness, !claim.negated, point_box(point), limits, stop);
-      if (opposite.proved) return conclude(scheme, claim, Outcome::refuted, std::move(opposite));
+      Box box;
+      for (const Rational& x : point) box.push_back(Interval::point(x));
+      Attempt opposite = attempt_statement(scheme, m, !claim.negated, box, direct.failing_ratio, limits, stop);
+      if (opposite.proof) return conclude(scheme, claim, Outcome::refuted, std::move(opposite));
       if (opposite_reason.empty()) opposite_reason = describe_failure(opposite, scheme.parameter_names());
     }
-    Verdict verdict;
-    verdict.reason = fmt::format("{}; {}", describe_failure(direct, scheme.parameter_names()), opposite_reason);
-    return verdict;
+    undecided.reason = fmt::format("{}; {}", describe_failure(direct, scheme.parameter_names()), opposite_reason);
   } catch (const LimitError& error) {
-    Verdict verdict;
-    verdict.reason = error.reason();
-    return verdict;
+    undecided.reason = error.reason();
   } catch (const Interrupted& interrupted) {
-    Verdict verdict;
-    verdict.reason = interrupted.what();
-    verdict.interrupted = true;
-    return verdict;
+    undecided.reason = interrupted.what();
+    undecided.interrupted = true;
   }
+  return undecided;
 }
 
 }  // namespace limes

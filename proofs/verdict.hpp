@@ -19,9 +19,8 @@ struct Verdict {
   /// Stopped by the user or by the budget.
   bool interrupted = false;
 
-  /// Highest level of a contraction leaf, 0 without one.
-  int level() const;
-  int leaf_count() const { return certificate ? static_cast<int>(certificate->leaves.size()) : 0; }
+  int level() const { return certificate ? certificate->level() : 0; }
+  int leaf_count() const { return certificate ? certificate->leaf_count() : 0; }
 };
 
 }  // namespace limes

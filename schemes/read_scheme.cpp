@@ -20,6 +20,7 @@ constexpr std::size_t max_parameters = 8;
 constexpr std::size_t max_mask_length = 1024;
 constexpr int max_arity = 16;
 constexpr int max_index = 1 << 20;
+constexpr int max_points = 64;
 
 /// A TOML table whose keys must all be asked for: what nobody asked for is unknown.
 class TableReader {
@@ -169,6 +170,59 @@ void read_uniform(TableReader reader, Scheme& scheme) {
   reader.finish();
 }
 
+/// A text of an insertion rule with its line.
+InsertionRuleText::Line read_line(const TableReader& reader, const toml::node& node, const std::string& what) {
+  if (!node.is_string()) reader.fail(node, what + " must be a string (an exact expression)");
+  return {reader.text(node, what), reader.line(node)};
+}
+
+InsertionRuleText read_rule_text(TableReader& reader) {
+  InsertionRuleText text;
+  const toml::node& points = reader.require("points");
+  text.points = reader.integer(points, "points", 2, max_points);
+  if (text.points % 2 != 0) reader.fail(points, "'points' must be even: a rule takes as many points on the left as on the right");
+  if (const toml::node* node = reader.find("let")) {
+    const TableReader let = reader.table(*node, "[nonuniform.let]");
+    for (const auto& [key, value] : let.raw()) {
+      text.let.push_back({std::string(key.str()), read_line(let, value, std::string(key.str()))});
+    }
+    std::stable_sort(text.let.begin(), text.let.end(), [](const auto& a, const auto& b) { return a.value.line < b.value.line; });
+  }
+  const toml::node& node = reader.require("rule");
+  TableReader rule = reader.table(node, "[nonuniform.rule]");
+  const toml::node* new_point = rule.find("new");
+  const toml::node* coefficients = rule.find("coefficients");
+  if (!new_point == !coefficients) rule.fail("[nonuniform.rule] needs exactly one of 'new' and 'coefficients'");
+  if (new_point) {
+    text.new_point = read_line(rule, *new_point, "new");
+  } else {
+    const auto* entries = coefficients->as_array();
+    if (!entries || entries->empty()) rule.fail(*coefficients, "'coefficients' must be a non-empty array of strings");
+    for (std::size_t j = 0; j < entries->size(); ++j) {
+      text.coefficients.push_back(read_line(rule, (*entries)[j], fmt::format("coefficients[{}]", j)));
+    }
+  }
+  rule.finish();
+  return text;
+}
+
+void read_nonuniform(TableReader reader, Scheme& scheme) {
+  const InsertionRuleText text = read_rule_text(reader);
+  reader.finish();
+  const auto position = [&](const InputError& error) {
+    return SourcePosition{reader.file(), error.position().line > 0 ? error.position().line : reader.line(), 0};
+  };
+  try {
+    scheme.insertion_rule.emplace(text, scheme.parameter_names());
+  } catch (const LimitError& error) {
+    throw LimitError(error.reason(), position(error));
+  } catch (const InputError& error) {
+    throw InputError(error.reason(), position(error));
+  }
+  scheme.rule = text.new_point.text;
+  scheme.mask = uniform_mask(*scheme.insertion_rule);
+}
+
 Claim read_claim(TableReader reader, const Scheme& scheme) {
   const toml::node* text = reader.find("claim");
   const toml::node* smoothness = reader.find("smoothness");
@@ -236,14 +290,21 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
   }
   scheme.title = reader.text_or("title", scheme.name);
   const toml::node& kind = reader.require("kind");
-  if (reader.text(kind, "kind") != "uniform") {
-    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform)", reader.text(kind, "kind")));
+  const std::string kind_name = reader.text(kind, "kind");
+  if (kind_name == "nonuniform") {
+    scheme.kind = SchemeKind::nonuniform;
+  } else if (kind_name != "uniform") {
+    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform)", kind_name));
   }
   scheme.sources = read_keys(reader.text_or("source", ""));
   if (const toml::node* node = reader.find("parameters")) {
     scheme.parameters = read_parameters(reader.table(*node, "[parameters]"));
   }
-  read_uniform(reader.table(reader.require("uniform"), "[uniform]"), scheme);
+  if (scheme.kind == SchemeKind::uniform) {
+    read_uniform(reader.table(reader.require("uniform"), "[uniform]"), scheme);
+  } else {
+    read_nonuniform(reader.table(reader.require("nonuniform"), "[nonuniform]"), scheme);
+  }
   if (const toml::node* node = reader.find("claims")) {
     const auto* claims = node->as_array();
     if (!claims) reader.fail(*node, "claims are written as [[claims]]");

@@ -7,6 +7,7 @@ namespace limes {
 std::string to_string(SchemeKind kind) {
   switch (kind) {
     case SchemeKind::uniform: return "uniform";
+    case SchemeKind::nonuniform: return "nonuniform";
   }
   throw InternalError("unknown kind of scheme");
 }

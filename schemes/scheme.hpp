@@ -1,9 +1,11 @@
 #pragma once
 
 #include "schemes/claim.hpp"
+#include "schemes/nonuniform/insertion_rule.hpp"
 #include "schemes/uniform/mask.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +18,7 @@ struct Parameter {
   Interval range;
 };
 
-enum class SchemeKind { uniform };
+enum class SchemeKind { uniform, nonuniform };
 
 std::string to_string(SchemeKind kind);
 
@@ -28,9 +30,12 @@ struct Scheme {
   /// Keys of references.bib.
   std::vector<std::string> sources;
   std::vector<Parameter> parameters;
+  /// Of a non-uniform scheme: its mask for equal knot intervals, E(1, .., 1).
   Mask mask;
-  /// The rule that the mask was made from; empty when the file gives the mask.
+  /// The rule that the mask was made from; empty when the file gives the mask, or coefficients.
   std::string rule;
+  /// Of a non-uniform scheme only.
+  std::optional<InsertionRule> insertion_rule;
   std::vector<Claim> claims;
   std::filesystem::path file;
 

@@ -117,11 +117,43 @@ std::string check_json(const std::vector<CheckedFile>& results) {
   return text({{"results", list}});
 }
 
+std::string matrix_json(const MatrixReport& report) {
+  const SubdivisionMatrix& matrix = report.matrix;
+  const auto factors = [&](const std::vector<CharacteristicFactor>& list) {
+    Json json = Json::array();
+    for (const CharacteristicFactor& factor : list) {
+      json.push_back({{"polynomial", to_string(factor.polynomial, report.names)}, {"multiplicity", factor.multiplicity}});
+    }
+    return json;
+  };
+  const int last = matrix.points() - 1;
+  Json rows = Json::array();
+  for (int row = -last; row <= last; ++row) {
+    Json entries = Json::array();
+    for (int column = -last; column <= last; ++column) entries.push_back(to_string(matrix.entry(row, column), report.names));
+    rows.push_back(std::move(entries));
+  }
+  return text({{"size", matrix.size()},
+               {"matrix", rows},
+               {"characteristic_polynomial", to_string(report.split.chi, report.names)},
+               {"polynomial_eigenvalues", report.split.smoothness + 1},
+               {"ell", factors(report.split.ell)},
+               {"r", factors(report.split.r)},
+               {"eigenvalues_split", !report.split.missing_eigenvalue.has_value()},
+               {"symmetric", report.split.is_symmetric()}});
+}
+
 std::string norm_json(const Rational& norm, int order, int level) {
   return text({{"norm", to_string(norm)},
                {"decimal", to_decimal(norm, 17, Rounding::up)},
                {"order", order},
                {"level", level}});
+}
+
+std::string outputs_json(const std::vector<OutputFile>& outputs) {
+  Json list = Json::array();
+  for (const OutputFile& output : outputs) list.push_back({{"file", output.file}, {"kind", output.kind}});
+  return text({{"outputs", list}});
 }
 
 }  // namespace limes::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/verdict.hpp"
 #include "schemes/scheme.hpp"
@@ -26,10 +27,26 @@ struct CheckedFile {
   checker::Result result;
 };
 
+struct MatrixReport {
+  const Scheme& scheme;
+  const SubdivisionMatrix& matrix;
+  /// Parameters, then gamma.
+  VariableNames names;
+  SplitCharacteristicPolynomial split;
+};
+
+struct OutputFile {
+  std::string file;
+  std::string kind;
+};
+
 std::string list_json(const std::vector<Scheme>& schemes);
 std::string show_json(const Scheme& scheme);
 std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
+std::string matrix_json(const MatrixReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
+/// What the verbs print that write files.
+std::string outputs_json(const std::vector<OutputFile>& outputs);
 
 }  // namespace limes::app

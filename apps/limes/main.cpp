@@ -62,6 +62,31 @@ int run(int argc, char** argv) {
   norm_verb->add_option("--param", norm.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   add_common(*norm_verb, norm);
 
+  MatrixOptions matrix;
+  CLI::App* matrix_verb = app.add_subcommand("matrix", "Subdivision matrix at an isolated knot ratio and its characteristic polynomial");
+  matrix_verb->add_option("scheme", matrix.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  matrix_verb->add_option("--param", matrix.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  matrix_verb->add_flag("--latex", matrix.latex, "Print matrix and factors in LaTeX");
+  add_common(*matrix_verb, matrix);
+
+  RefineOptions refine;
+  CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
+  refine_verb->add_option("scheme", refine.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  refine_verb->add_option("data", refine.data, "Points, one a line: numbers separated by commas")->required()->type_name("DATA.csv");
+  refine_verb->add_option("--levels", refine.levels, "How often to refine")->check(CLI::Range(0, 60))->type_name("N")->capture_default_str();
+  refine_verb->add_option("-o,--output", refine.outputs, "File to write, by its ending: .csv, .svg, .pgf or .png; may be repeated")
+      ->required()->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
+  refine_verb->add_option("--param", refine.parameters, "Parameter value: w=1/16")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  refine_verb->add_option("--knots", refine.knots,
+                          "Of a non-uniform scheme: uniform, chordal, centripetal (default), or a file with one knot a line")
+      ->type_name("SPACING|FILE");
+  refine_verb->add_flag("--closed", refine.closed, "The polygon is closed: its first point follows its last");
+  refine_verb->add_option("--ends", refine.ends, "Ends of an open polygon: extend it linearly (default of interpolatory schemes), or shrink")
+      ->check(CLI::IsMember({"extend", "shrink"}))->type_name("RULE");
+  refine_verb->add_option("--comb", refine.comb, "In pictures, a curvature comb with teeth of SCALE times the curvature")
+      ->check(CLI::Range(-1e100, 1e100))->type_name("SCALE");
+  add_common(*refine_verb, refine);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -73,6 +98,8 @@ int run(int argc, char** argv) {
   if (show_verb->parsed()) return run_show(show);
   if (verify_verb->parsed()) return run_verify(verify);
   if (check_verb->parsed()) return run_check(check);
+  if (matrix_verb->parsed()) return run_matrix(matrix);
+  if (refine_verb->parsed()) return run_refine(refine);
   return run_norm(norm);
 }
 

@@ -44,10 +44,30 @@ struct NormOptions : CommonOptions {
   std::vector<std::string> parameters;
 };
 
+struct MatrixOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> parameters;
+  bool latex = false;
+};
+
+struct RefineOptions : CommonOptions {
+  std::string scheme;
+  std::filesystem::path data;
+  int levels = 6;
+  std::vector<std::filesystem::path> outputs;
+  std::vector<std::string> parameters;
+  std::string knots;  // a spacing or a file; empty: the scheme's default
+  bool closed = false;
+  std::string ends;  // "extend", "shrink"; empty: the scheme's default
+  std::optional<double> comb;
+};
+
 int run_list(const ListOptions& options);
 int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
 int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
+int run_matrix(const MatrixOptions& options);
+int run_refine(const RefineOptions& options);
 
 }  // namespace limes::app

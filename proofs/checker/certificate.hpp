@@ -2,6 +2,9 @@
 #pragma once
 
 #include "proofs/checker/bernstein.hpp"
+#include "proofs/checker/rule.hpp"
+
+#include <optional>
 
 namespace limes::checker {
 
@@ -23,16 +26,39 @@ struct Leaf {
   std::vector<int> word;
 };
 
+/// f = sum_s coefficients[s] lambda^s, variables: the parameters, then gamma.
+struct Factor {
+  std::vector<Polynomial> coefficients;
+  int multiplicity = 1;
+};
+
+/// A part of the region times (0, 1] and the test that shows the roots of a factor to be small there.
+struct Dominance {
+  enum class Test { rouche, boundary, circle };
+  std::size_t factor = 0;
+  Region region;  ///< of the parameters, then gamma
+  Test test = Test::rouche;
+  std::vector<mpq_class> cuts;
+};
+
+enum class Theorem { U1, U2, N1, N3 };
+
 /// A certificate of the right form, of which nothing is proved yet.
 struct Certificate {
-  Scheme scheme;
+  Scheme scheme;  ///< of a non-uniform scheme: for equal intervals
+  std::optional<Rule> rule;
   bool negated = false;  ///< "not C<order>"
   int order = 0;
   Region region;
   bool certified = false;      ///< or refuted
-  bool theorem_u1 = false;     ///< or U2
+  Theorem theorem = Theorem::U1;
   bool interpolatory = false;  ///< or linear independence; of U2
-  std::vector<Leaf> leaves;
+  std::vector<Leaf> leaves;    ///< of N3: one, a point without witness
+  std::vector<Factor> factors;
+  std::vector<Dominance> dominance;
+  Interval gamma;  ///< of N3: a point
+
+  bool proves_smoothness() const { return theorem == Theorem::U1 || theorem == Theorem::N1; }
 };
 
 /// \throws Rejected at "json", "format", "scheme", "claim", "proof" or "limits"
@@ -58,5 +84,17 @@ double u1_work(const LocalScheme& scheme, int level);
 void prove_u1(const LocalScheme& scheme, int level);
 double u2_work(const LocalScheme& scheme, const Leaf& leaf);
 void prove_u2(const LocalScheme& scheme, bool interpolatory, const Leaf& leaf, Budget& budget);
+
+/// Whether all roots of f_0 + .. + f_n z^n lie in |z| < 1 (Schur).
+bool all_roots_inside(std::vector<mpz_class> f, Budget& budget);
+
+/// Theorem N1 but for its uniform part (the leaves are those of theorem U1), and theorem N3.
+void prove_n1(const Certificate& certificate, Budget& budget);
+void prove_n3(const Certificate& certificate, Budget& budget);
+
+/// The rows E_0 .. E_{2n-1} of the matrix L(gamma), the point parameters of a region being substituted.
+std::vector<Stencil> matrix_rows(const Rule& rule, const Region& region, Budget& budget);
+/// All roots of a factor, its point parameters not yet being substituted, are less than 2^{-order} on a leaf.
+void prove_dominance(const Factor& factor, int order, const Dominance& leaf, Budget& budget);
 
 }  // namespace limes::checker

@@ -42,15 +42,54 @@ std::string shown(const Region& region, const Scheme& scheme) {
   return result;
 }
 
+std::string count(std::size_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "leaf" : "leaves");
+}
+
+std::string theorem(const Certificate& certificate) {
+  switch (certificate.theorem) {
+    case Theorem::U1:
+      return "theorem U1, " + count(certificate.leaves.size(), "");
+    case Theorem::U2:
+      return "theorem U2, " + count(certificate.leaves.size(), "");
+    case Theorem::N1:
+      return "theorem N1, " + count(certificate.leaves.size(), "uniform ") + ", " +
+             count(certificate.dominance.size(), "dominance ");
+    case Theorem::N3:
+      return "theorem N3";
+  }
+  return "";
+}
+
 std::string statement(const Certificate& certificate) {
-  const auto is = [&](bool negated) { return (negated ? " is not C" : " is C") + std::to_string(certificate.order); };
+  const auto is = [&](bool negated) {
+    const std::string knots = negated ? " over some knot sequence" : " over every knot sequence";
+    return (negated ? " is not C" : " is C") + std::to_string(certificate.order) + (certificate.rule ? knots : "");
+  };
   std::string result = (certificate.certified ? "certified: " : "refuted: ") + shown(certificate.scheme.name) +
                        is(certificate.negated) + shown(certificate.region, certificate.scheme);
   if (!certificate.certified)
     result += "; it" + is(!certificate.negated) + shown(certificate.leaves.front().region, certificate.scheme);
-  const std::size_t leaves = certificate.leaves.size();
-  return result + " (theorem " + (certificate.theorem_u1 ? "U1, " : "U2, ") + std::to_string(leaves) +
-         (leaves == 1 ? " leaf)" : " leaves)");
+  return result + " (" + theorem(certificate) + ")";
+}
+
+/// Theorems U1 and U2, and the uniform part of theorem N1.
+void prove_leaves(const Certificate& certificate, Budget& budget) {
+  const bool smooth = certificate.proves_smoothness();
+  const auto localize = [&](const Leaf& leaf) {
+    return restrict_to_leaf(certificate.scheme, certificate.order, leaf.region, budget);
+  };
+  for_each_leaf(certificate, [&](const Leaf& leaf) {
+    const LocalScheme local = localize(leaf);
+    budget.work(smooth ? u1_work(local, leaf.level) : u2_work(local, leaf));
+  });
+  for_each_leaf(certificate, [&](const Leaf& leaf) {
+    const LocalScheme local = localize(leaf);
+    if (smooth)
+      prove_u1(local, leaf.level);
+    else
+      prove_u2(local, certificate.interpolatory, leaf, budget);
+  });
 }
 
 std::string prove(std::string_view text) {
@@ -65,20 +104,11 @@ std::string prove(std::string_view text) {
     if (!covers(regions, certificate.region, budget))
       throw Rejected{"covering", "the leaves do not cover the claimed region"};
   }
-  const auto localize = [&](const Leaf& leaf) {
-    return restrict_to_leaf(certificate.scheme, certificate.order, leaf.region, budget);
-  };
-  for_each_leaf(certificate, [&](const Leaf& leaf) {
-    const LocalScheme local = localize(leaf);
-    budget.work(certificate.theorem_u1 ? u1_work(local, leaf.level) : u2_work(local, leaf));
-  });
-  for_each_leaf(certificate, [&](const Leaf& leaf) {
-    const LocalScheme local = localize(leaf);
-    if (certificate.theorem_u1)
-      prove_u1(local, leaf.level);
-    else
-      prove_u2(local, certificate.interpolatory, leaf, budget);
-  });
+  if (certificate.theorem == Theorem::N3)
+    prove_n3(certificate, budget);
+  else
+    prove_leaves(certificate, budget);
+  if (certificate.theorem == Theorem::N1) prove_n1(certificate, budget);
   return statement(certificate);
 }
 

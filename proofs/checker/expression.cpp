@@ -43,34 +43,25 @@ class Parser {
 
   Fraction expression() {
     if (++depth_ > 101) fail("is nested more than 100 deep");
-    Fraction sum = term();
+    Fraction result = term();
     for (;;) {
       const bool minus = take('-');
       if (!minus && !take('+')) break;
-      Fraction x = term();
-      if (minus) x.numerator = times(x.numerator, constant(-1));
-      if (x.denominator != sum.denominator) {
-        sum.numerator = times(sum.numerator, x.denominator);
-        x.numerator = times(x.numerator, sum.denominator);
-        sum.denominator = times(sum.denominator, x.denominator);
-      }
-      sum.numerator = add(std::move(sum.numerator), x.numerator, budget_);
+      const Fraction x = term();
+      result = sum(std::move(result), minus ? negative(x) : x, budget_);
     }
     --depth_;
-    return sum;
+    return result;
   }
   Fraction term() {
     Fraction result = factor();
     for (;;) {
       if (take('*')) {
-        result = product(result, factor());
+        result = product(result, factor(), budget_);
       } else if (take('/')) {
         const Fraction x = factor();
         if (x.numerator.empty()) fail("divides by zero");
-        // 1 / (P / Q) = Q^2 / (P Q): what Q excludes stays excluded. The leading coefficient moves to the numerator.
-        const Polynomial scale = constant(1 / mpq_class(x.numerator.rbegin()->second));
-        result = product(result, {times(times(x.denominator, x.denominator), scale),
-                                  times(times(x.numerator, x.denominator), scale)});
+        result = quotient(result, x, budget_);
       } else {
         return result;
       }
@@ -79,10 +70,9 @@ class Parser {
   Fraction factor() {
     if (take('-')) {
       if (++depth_ > 101) fail("is nested more than 100 deep");
-      Fraction result = factor();
+      const Fraction result = factor();
       --depth_;
-      result.numerator = times(result.numerator, constant(-1));
-      return result;
+      return negative(result);
     }
     const Fraction base = primary();
     if (!take('^')) return base;
@@ -90,10 +80,7 @@ class Parser {
     const std::string_view digits = token(is_digit);
     const int exponent = digits.empty() || digits.size() > 4 ? 1001 : std::stoi(std::string(digits));
     if (exponent > 1000) fail("needs an integer exponent from 0 to 1000");
-    if (exponent == 0) return {base.denominator, base.denominator};  // 1 where the base has a value
-    Fraction result = base;
-    for (int n = 1; n < exponent; ++n) result = product(result, base);
-    return result;
+    return power(base, exponent, budget_);
   }
   Fraction primary() {
     if (take('(')) {
@@ -107,15 +94,10 @@ class Parser {
     }
     const auto found = std::find(parameters_.begin(), parameters_.end(), token(is_name_part));
     if (found == parameters_.end()) fail("has something else than a number, a parameter or a parenthesis");
-    Exponents exponents{};
-    exponents.at(static_cast<std::size_t>(found - parameters_.begin())) = 1;
-    return {{{exponents, 1}}, constant(1)};
+    return {variable(static_cast<std::size_t>(found - parameters_.begin())), constant(1)};
   }
 
-  Polynomial times(const Polynomial& p, const Polynomial& q) { return multiply(p, q, budget_); }
-  Fraction product(const Fraction& x, const Fraction& y) {
-    return {times(x.numerator, y.numerator), times(x.denominator, y.denominator)};
-  }
+  Fraction negative(const Fraction& x) { return {multiply(x.numerator, constant(-1), budget_), x.denominator}; }
 
   std::string_view text_;
   const std::vector<std::string>& parameters_;

@@ -235,27 +235,6 @@ std::vector<Bernstein> characteristic_polynomial(const Matrix& m) {
   return result;
 }
 
-/// Whether all roots of f_0 + .. + f_n z^n lie in |z| < 1: |f_n| > |f_0|, and the same for (f_n f - f_0 z^n f(1/z)) / z
-/// (Schur).
-bool all_roots_inside(Coefficients f, Budget& budget) {
-  while (f.size() > 1) {
-    double size = 1;
-    for (const auto& c : f) size = std::max(size, limbs(c));
-    budget.work(static_cast<double>(f.size()) * (500 + 8 * size * size));
-    if (abs(f.back()) <= abs(f.front())) return false;
-    const std::size_t n = f.size() - 1;
-    Coefficients next(n);
-    mpz_class content = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      next[i] = f[n] * f[i + 1] - f[0] * f[n - 1 - i];
-      content = gcd(content, next[i]);
-    }
-    for (auto& c : next) c /= content;
-    f = std::move(next);
-  }
-  return true;
-}
-
 void prove_word(const LocalScheme& scheme, const std::vector<int>& word, Budget& budget) {
   if (!scheme.has_factor) throw Rejected{"factor", "sigma^(m+1) does not divide the symbol"};
   const Bernstein& b = scheme.quotient;
@@ -286,6 +265,27 @@ void prove_word(const LocalScheme& scheme, const std::vector<int>& word, Budget&
 }
 
 }  // namespace
+
+/// Whether all roots of f_0 + .. + f_n z^n lie in |z| < 1: |f_n| > |f_0|, and the same for (f_n f - f_0 z^n f(1/z)) / z
+/// (Schur).
+bool all_roots_inside(std::vector<mpz_class> f, Budget& budget) {
+  while (f.size() > 1) {
+    double size = 1;
+    for (const auto& c : f) size = std::max(size, limbs(c));
+    budget.work(static_cast<double>(f.size()) * (500 + 8 * size * size));
+    if (abs(f.back()) <= abs(f.front())) return false;
+    const std::size_t n = f.size() - 1;
+    Coefficients next(n);
+    mpz_class content = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      next[i] = f[n] * f[i + 1] - f[0] * f[n - 1 - i];
+      content = gcd(content, next[i]);
+    }
+    for (auto& c : next) c /= content;
+    f = std::move(next);
+  }
+  return true;
+}
 
 double u2_work(const LocalScheme& scheme, const Leaf& leaf) {
   const double setup = static_cast<double>(scheme.mask.coefficients.size()) * 200;

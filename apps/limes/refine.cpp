@@ -1,0 +1,111 @@
+#include "apps/limes/json_output.hpp"
+#include "apps/limes/options.hpp"
+#include "apps/limes/session.hpp"
+
+#include "algebra/error.hpp"
+#include "geometry/io/csv.hpp"
+#include "geometry/knots.hpp"
+#include "geometry/refine_polygon.hpp"
+#include "reports/plot/polygon_plot.hpp"
+#include "schemes/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace limes::app {
+namespace {
+
+/// "csv", "svg", "pgf" or "png", by the ending.
+std::string kind_of(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  for (const char* kind : {"csv", "svg", "pgf", "png"}) {
+    if (ending == std::string(".") + kind) return kind;
+  }
+  throw InputError(fmt::format("-o {}: the ending must be .csv, .svg, .pgf or .png", file.string()));
+}
+
+std::vector<Rational> parameter_values(const Scheme& scheme, const std::vector<std::string>& settings) {
+  const Box region = region_from_settings(scheme, settings);
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    if (region[k].is_point()) continue;
+    throw InputError(fmt::format("refining needs one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
+  }
+  return midpoint(region);
+}
+
+/// The polygon with the knots that --knots asks for.
+Polygon with_knots(const Polygon& polygon, const NumberTable& table, const std::string& knots) {
+  const std::optional<KnotSpacing> spacing = read_knot_spacing(knots);
+  if (!spacing) return polygon.with_knots(knots_from(read_csv_file(knots), polygon));
+  const std::optional<std::size_t> repeated = first_repeated_point(polygon);
+  if (repeated && *spacing != KnotSpacing::uniform) {
+    const std::size_t next = (*repeated + 1) % polygon.size();
+    throw InputError(fmt::format("the same point as on line {}{}, but {} spacing needs neighbours that differ", table.lines[*repeated],
+                                 next == 0 ? " (a closed polygon names its first point once)" : "", knots),
+                     {table.file.string(), table.lines[next], 0});
+  }
+  return polygon.with_knots(spaced_knots(polygon, *spacing));
+}
+
+/// The polygon refined, and how for the title.
+struct Refined {
+  Polygon data;
+  Polygon result;
+  std::string title;
+};
+
+Refined refined(const RefineOptions& options, const Stop& stop) {
+  const Scheme scheme = load_scheme(options.scheme);
+  const std::vector<Rational> values = parameter_values(scheme, options.parameters);
+  const NumberTable table = read_csv_file(options.data);
+  Polygon polygon = polygon_from(table, options.closed);
+  Refinement refinement{options.levels, EndRule::automatic};
+  if (options.ends == "extend") refinement.ends = EndRule::extend;
+  if (options.ends == "shrink") refinement.ends = EndRule::shrink;
+  std::string title = scheme.name;
+  for (std::size_t k = 0; k < values.size(); ++k) title += fmt::format(", {} = {}", scheme.parameters[k].name, to_string(values[k]));
+  try {
+    if (scheme.kind == SchemeKind::nonuniform) {
+      const std::string knots = options.knots.empty() ? to_string(KnotSpacing::centripetal) : options.knots;
+      title += read_knot_spacing(knots) ? fmt::format(", {} knots", knots) : "";
+      polygon = with_knots(polygon, table, knots);
+      return {polygon, refine_polygon(polygon, approx_nonuniform_rule(*scheme.insertion_rule, values), refinement, stop), title};
+    }
+    if (!options.knots.empty() && options.knots != to_string(KnotSpacing::uniform)) {
+      throw InputError(fmt::format("--knots {}: {} is a uniform scheme, its knots are equally spaced", options.knots, scheme.name));
+    }
+    return {polygon, refine_polygon(polygon, approx_uniform_rule(scheme.mask, values), refinement, stop), title};
+  } catch (const InputError& error) {
+    // What has no file yet is about the points.
+    if (!error.position().file.empty() || error.reason().starts_with("--")) throw;
+    throw error.located(options.data.string(), 0);
+  }
+}
+
+std::string content(const std::string& kind, const Refined& what, const RefineOptions& options) {
+  if (kind == "csv") return to_csv(what.result);
+  const Plot plot = polygon_plot(what.data, what.result, {what.title, options.comb});
+  if (kind == "svg") return to_svg(plot);
+  return kind == "pgf" ? to_pgf(plot) : to_png(plot);
+}
+
+}  // namespace
+
+int run_refine(const RefineOptions& options) {
+  const Session session(options);
+  std::vector<OutputFile> outputs;
+  for (const std::filesystem::path& file : options.outputs) outputs.push_back({file.string(), kind_of(file)});
+  const Refined what = refined(options, session.stop());
+  for (const OutputFile& output : outputs) {
+    if (output.kind != "csv" && what.data.dimension() < 2) {
+      throw InputError(fmt::format("-o {}: a picture needs points with at least two coordinates", output.file));
+    }
+    write_file(output.file, content(output.kind, what, options));
+    if (!options.json && !options.quiet) std::cout << fmt::format("{}: {} points\n", output.file, what.result.size());
+  }
+  if (options.json) std::cout << outputs_json(outputs);
+  return all_as_expected;
+}
+
+}  // namespace limes::app

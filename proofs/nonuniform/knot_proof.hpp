@@ -1,0 +1,37 @@
+#pragma once
+
+#include "analysis/nonuniform/root_dominance.hpp"
+#include "proofs/certificate.hpp"
+#include "proofs/proof_limits.hpp"
+#include "proofs/uniform/smoothness_proof.hpp"
+#include "schemes/nonuniform/insertion_rule.hpp"
+
+#include <optional>
+#include <string>
+
+namespace limes {
+
+/// What the prover of Theorem N1 brings back.
+struct KnotProofAttempt {
+  std::optional<KnotProof> proof;
+  /// Why it is not proved.
+  std::string reason;
+  /// The parameter value at which the uniform part got stuck.
+  std::optional<std::vector<Rational>> failing_point;
+  /// Parameters, then gamma: a point at which some root has modulus >= 2^{-m}.
+  std::optional<std::vector<Rational>> expanding_point;
+};
+
+/// Theorem N1: tries to prove that the scheme is C^m for every strictly increasing knot sequence at every parameter value of the
+/// region: the uniform scheme by U1, polynomial eigenvectors, and dominance of all other roots of the characteristic polynomial
+/// at an isolated knot ratio gamma in (0, 1], which a mirror-symmetric rule extends to all gamma > 0. [Warren 1995; Karciauskas
+/// & Peters 2013]
+KnotProofAttempt prove_smooth_for_all_knots(const InsertionRule& rule, int m, const Box& region, const ProofLimits& limits,
+                                            const Stop& stop);
+
+/// Theorem N3: tries to prove that the scheme with this parameter value is not C^m for all knots, by a knot ratio gamma at which an eigenvalue besides
+/// 1, .., 2^{-m} has modulus >= 2^{-m}. \param first a ratio that is tried first
+ProofAttempt refute_by_ratio(const InsertionRule& rule, int m, const std::vector<Rational>& point,
+                             const std::optional<Rational>& first, const Stop& stop);
+
+}  // namespace limes

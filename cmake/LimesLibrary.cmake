@@ -5,8 +5,8 @@
 
 set(limes_warnings -Wall -Wextra -Wpedantic -Wshadow -Wcast-qual -Wnon-virtual-dtor)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # False alarms inside std::string of GCC 12 (GCC bug 105651).
-  list(APPEND limes_warnings -Wno-restrict -Wno-stringop-overflow)
+  # False alarms of GCC 12 inside std::string (GCC bug 105651) and std::variant.
+  list(APPEND limes_warnings -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized)
 endif()
 
 # Flags that every target of this project has in common; the shared precompiled header needs them to be identical.

@@ -139,11 +139,13 @@ Mask read_mask(TableReader& reader, const toml::node& node, int arity, const Var
   if (!entries || entries->empty()) reader.fail(node, "'mask' must be a non-empty array of strings");
   if (entries->size() > max_mask_length) reader.fail(node, fmt::format("'mask' has more than {} entries", max_mask_length));
   std::vector<RationalFunction> coefficients;
+  BoundedArithmetic arithmetic;
   for (std::size_t k = 0; k < entries->size(); ++k) {
     const toml::node& entry = (*entries)[k];
     const std::string what = fmt::format("mask[{}]", k);
     if (!entry.is_string()) reader.fail(entry, what + " must be a string (an exact expression)");
-    coefficients.push_back(reader.located(entry, what, [&] { return read_rational_function(reader.text(entry, what), names); }));
+    coefficients.push_back(reader.located(
+        entry, what, [&] { return to_rational_function(read_expression(reader.text(entry, what)), names, arithmetic); }));
   }
   int first_index = -static_cast<int>(entries->size() / 2);
   if (const toml::node* first = reader.find("first_index")) {

@@ -4,33 +4,18 @@
 
 namespace limes {
 
-/// Arithmetic of rational functions for untrusted input: the size of every result is bounded from above before it is computed, and the
-/// operations of one object together may cost about two seconds. So ((1+w)^1000)^1000, or a thousand masks of degree 1000,
-/// are refused instead of computed. `column` is where errors point to.
+/// Arithmetic of rational functions for untrusted input: the size of every result is bounded from above before it is computed,
+/// and the operations of one object together may cost about two seconds. So ((1+w)^1000)^1000, or a thousand coefficients of
+/// degree 1000, are refused instead of computed. `column` is where errors point to.
 class BoundedArithmetic {
  public:
-  /// a op b, op one of + - * /. \throws InputError for a division by zero; LimitError when degrees above 1000, more than 100000
-  /// terms or more than 10000 digits would arise, or the work is spent.
+  /// a op b, where op is one of + - * /. \throws InputError for a division by zero; LimitError when degrees above 1000, more
+  /// than 100000 terms or more than 10000 digits would arise, or the work is spent.
   RationalFunction apply(char op, const RationalFunction& a, const RationalFunction& b, int column);
   /// a^exponent, with the same errors.
   RationalFunction power(const RationalFunction& a, int exponent, int column);
 
  private:
-  struct Size;
-  static Size measure(const MultivariatePolynomial& p);
-  static Size product(const Size& a, const Size& b);
-  static Size sum(const Size& a, const Size& b);
-  static Size power(const Size& a, int exponent);
-
-  void allow_sum(const RationalFunction& a, const RationalFunction& b, int column);
-  void allow_product(const MultivariatePolynomial& numerator_a, const MultivariatePolynomial& denominator_a,
-                     const MultivariatePolynomial& numerator_b, const MultivariatePolynomial& denominator_b, int column);
-  Size measured(const MultivariatePolynomial& p, int column);
-  static void allow(const Size& size, int column);
-  static double digit_cost(const Size& size);
-  void spend_on_gcd(const Size& a, const Size& b, int column);
-  void spend(double work, int column);
-
   double work_ = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "algebra/polynomial/rational_function.hpp"
+#include "algebra/expression/bounded_arithmetic.hpp"
 
 #include <memory>
 #include <string>
@@ -49,8 +49,11 @@ struct ExpressionLimits {
 Expression read_expression(std::string_view text, const ExpressionLimits& limits = {});
 
 /// Evaluates an expression without calls and lists as a rational function of the named variables.
+/// \param arithmetic shared by the expressions of one input, limits what all of them may cost
 /// \throws InputError with the column for an unknown name (the known ones are listed), a call, a list, or a division by zero;
-/// LimitError when degrees above 1000 or more than 100000 terms would arise.
+/// LimitError as BoundedArithmetic.
+RationalFunction to_rational_function(const Expression& expression, const VariableNames& names, BoundedArithmetic& arithmetic);
+/// The same for a single expression.
 RationalFunction to_rational_function(const Expression& expression, const VariableNames& names);
 
 /// read_expression, then to_rational_function.

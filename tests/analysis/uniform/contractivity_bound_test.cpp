@@ -71,6 +71,24 @@ TEST(ContractivityNorm, NumbersOfManyLimbsAreExact) {
   }
 }
 
+TEST(ContractivityNorm, NumbersOfEveryWidthAgreeWithTheDefinition) {
+  // From one limb on, with weights of one limb and of more.
+  std::mt19937 random(13);
+  std::uniform_int_distribution<int> digit(0, 9);
+  for (const int digits : {1, 4, 8, 12, 18, 19, 20, 40}) {
+    std::vector<Rational> coefficients;
+    for (int i = 0; i < 4; ++i) {
+      std::string text = i % 2 == 0 ? "-9" : "9";
+      for (int k = 1; k < digits; ++k) text += std::to_string(digit(random));
+      coefficients.push_back(Rational(Integer(text)));
+    }
+    const LaurentPolynomial b = LaurentPolynomial::from_rationals(0, coefficients);
+    for (int level = 1; level <= 6; ++level) {
+      EXPECT_EQ(exact_contractivity_norm(b, 2, level), norm_by_definition(b, 2, level)) << digits << " " << level;
+    }
+  }
+}
+
 // The second differences of the four-point scheme at w = 1/16 have norm 1 on every level: C^2 is missed by a hair.
 TEST(ContractivityNorm, FourPointSecondDifferencesHaveNormOne) {
   const LaurentPolynomial b = LaurentPolynomial::from_rationals(0, {Rational(-1) / 4, Rational(3) / 4, Rational(3) / 4, Rational(-1) / 4});

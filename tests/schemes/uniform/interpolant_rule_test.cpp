@@ -64,5 +64,18 @@ TEST(InterpolantRule, ErrorsNameTheReasonAndTheColumn) {
   EXPECT_NE(failure("2*at(f(3),1/2)").find("f takes two arguments"), std::string::npos);
 }
 
+// Each factor is harmless, and so is each weight at first.
+TEST(InterpolantRule, ChainsThatWouldExplodeAreRefused) {
+  const auto chain = [](const std::string& link, int times) {
+    std::string text = "at(f(1,0),1/2)";
+    for (int k = 0; k < times; ++k) text += link;
+    return text;
+  };
+  EXPECT_THROW(rule(chain("*(1+w)^1000", 900), {"w"}), LimitError);
+  EXPECT_THROW(rule(chain("*((1+w)*(1-w))^200", 3), {"w"}), LimitError);
+  EXPECT_THROW(rule("at(f(63,0),1/" + std::string(9990, '7') + ")"), LimitError);
+  EXPECT_NO_THROW(rule(chain("*(1+w)", 300), {"w"}));
+}
+
 }  // namespace
 }  // namespace limes

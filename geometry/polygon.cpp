@@ -10,7 +10,8 @@ namespace limes {
 namespace {
 
 void check_knots(const std::vector<double>& knots, std::size_t expected) {
-  if (knots.size() != expected) throw DomainError(fmt::format("{} knots where {} are expected", knots.size(), expected));
+  if (knots.size() != expected)
+    throw DomainError(fmt::format("{} knots where {} are expected", knots.size(), expected));
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (!std::isfinite(knots[i])) throw DomainError(fmt::format("knot {} is not finite", i + 1));
     if (i > 0 && !(knots[i - 1] < knots[i])) {
@@ -40,7 +41,9 @@ std::span<const double> Polygon::operator[](std::size_t i) const {
   return {coordinates_.data() + i * d, d};
 }
 
-Polygon Polygon::with_knots(std::vector<double> knots) const { return {dimension_, coordinates_, closed_, std::move(knots)}; }
+Polygon Polygon::with_knots(std::vector<double> knots) const {
+  return {dimension_, coordinates_, closed_, std::move(knots)};
+}
 
 double distance(std::span<const double> a, std::span<const double> b) {
   double length = 0;

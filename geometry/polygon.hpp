@@ -6,12 +6,12 @@
 
 namespace limes {
 
-/// Points p_0, .., p_{N-1} of R^d in order: the vertices of an open polygon, or of a closed one, where p_0 follows p_{N-1}.
-/// Optionally each point has a knot. All numbers are finite, knots are strictly increasing.
+/// Points p_0, .., p_{N-1} of R^d in order: the vertices of an open polygon, or of a closed one, where p_0 follows
+/// p_{N-1}. Optionally each point has a knot. All numbers are finite, knots are strictly increasing.
 class Polygon {
  public:
-  /// `coordinates` is point after point. `knots` is empty, or t_0 < .. < t_{N-1}, and t_N of p_0's return when closed: t_N - t_0
-  /// is the period. \throws DomainError when something of this does not hold, or there is no point.
+  /// `coordinates` is point after point. `knots` is empty, or t_0 < .. < t_{N-1}, and t_N of p_0's return when closed:
+  /// t_N - t_0 is the period. \throws DomainError when something of this does not hold, or there is no point.
   Polygon(int dimension, std::vector<double> coordinates, bool closed = false, std::vector<double> knots = {});
 
   int dimension() const { return dimension_; }

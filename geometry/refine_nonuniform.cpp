@@ -13,8 +13,8 @@ namespace {
 using geometry_impl::Strip;
 using geometry_impl::Support;
 
-/// The first level's intervals between knots, continued periodically or by the end intervals. At level k the interval from
-/// t_i to t_{i+1} is one of them divided by 2^k; so all ratios are those of first intervals.
+/// The first level's intervals between knots, continued periodically or by the end intervals. At level k the interval
+/// from t_i to t_{i+1} is one of them divided by 2^k; so all ratios are those of first intervals.
 class Intervals {
  public:
   explicit Intervals(const Polygon& polygon) : closed_(polygon.closed()) {
@@ -33,8 +33,8 @@ class Intervals {
   std::vector<double> lengths_;
 };
 
-/// Asks the rule once for each pattern of intervals: nearly all windows are equally spaced, and around a knot the same patterns
-/// come again at each level.
+/// Asks the rule once for each pattern of intervals: nearly all windows are equally spaced, and around a knot the same
+/// patterns come again at each level.
 class Stencils {
  public:
   Stencils(const NonuniformRule& rule, const Stop& stop) : rule_(rule), stop_(stop) {}
@@ -45,6 +45,7 @@ class Stencils {
     window_.clear();
     const double middle = intervals(i, level);
     for (std::int64_t j = i - n + 1; j <= i + n - 1; ++j) window_.push_back(intervals(j, level) / middle);
+    if (known_.size() >= max_known) known_.clear();
     const auto [place, is_new] = known_.try_emplace(window_);
     if (is_new) place->second = computed();
     return place->second;
@@ -70,6 +71,9 @@ class Stencils {
     return stencil;
   }
 
+  /// Keeps memory bounded for very many points; polygons of ten thousand stay below it.
+  static constexpr std::size_t max_known = std::size_t{1} << 18;
+
   const NonuniformRule& rule_;
   const Stop& stop_;
   std::vector<double> window_;
@@ -85,35 +89,38 @@ NonuniformRule approx_nonuniform_rule(const InsertionRule& rule, std::span<const
           [rule, parameters](std::span<const double> knots) { return rule.approx_stencil(knots, parameters); }};
 }
 
-Polygon refine_polygon(const Polygon& polygon, const NonuniformRule& rule, const Refinement& refinement, const Stop& stop) {
+Polygon refine_polygon(const Polygon& polygon, const NonuniformRule& rule, const Refinement& refinement,
+                       const Stop& stop) {
   if (rule.points < 2 || rule.points % 2 != 0) throw DomainError("an insertion rule has an even number of points");
   if (polygon.knots().empty()) throw DomainError("a non-uniform scheme needs a polygon with knots");
   const int n = rule.points / 2;
   const Intervals intervals(polygon);
   Stencils stencils(rule, stop);
   const Support support{2, 1 - 2 * n, 2 * n - 1, 0, rule.points, true};
-  Strip strip = geometry_impl::refined_strip(polygon, support, refinement, stop, [&](const Strip& from, Strip& to, int level) {
-    const std::size_t d = to.dimension;
-    for (std::int64_t i = to.first, last = to.last(); i <= last; ++i) {
-      const std::int64_t old = i >> 1;
-      if (i % 2 == 0) {
-        std::copy_n(from[old], d, to[i]);
-        continue;
-      }
-      const double* source = from[old - n + 1];
-      for (const double weight : stencils.at(intervals, old, level - 1)) {
-        for (std::size_t k = 0; k < d; ++k) to[i][k] += weight * source[k];
-        source += d;
-      }
-    }
-  });
+  Strip strip =
+      geometry_impl::refined_strip(polygon, support, refinement, stop, [&](const Strip& from, Strip& to, int level) {
+        const std::size_t d = to.dimension;
+        for (std::int64_t i = to.first, last = to.last(); i <= last; ++i) {
+          const std::int64_t old = i >> 1;
+          if (i % 2 == 0) {
+            std::copy_n(from[old], d, to[i]);
+            continue;
+          }
+          const double* source = from[old - n + 1];
+          for (const double weight : stencils.at(intervals, old, level - 1)) {
+            for (std::size_t k = 0; k < d; ++k) to[i][k] += weight * source[k];
+            source += d;
+          }
+        }
+      });
 
   std::vector<double> knots;
   const std::vector<double>& first = polygon.knots();
   const std::int64_t last = strip.last() + (polygon.closed() ? 1 : 0);
   for (std::int64_t i = strip.first; i <= last; ++i) {
     const auto j = static_cast<std::size_t>(i >> refinement.levels);
-    const double part = std::ldexp(static_cast<double>(i & ((std::int64_t{1} << refinement.levels) - 1)), -refinement.levels);
+    const double part =
+        std::ldexp(static_cast<double>(i & ((std::int64_t{1} << refinement.levels) - 1)), -refinement.levels);
     knots.push_back(part == 0 ? first[j] : first[j] + part * (first[j + 1] - first[j]));
   }
   return {polygon.dimension(), std::move(strip.coordinates), polygon.closed(), std::move(knots)};

@@ -12,13 +12,14 @@ namespace limes {
 
 /// What happens at the two ends of an open polygon; closed polygons have none.
 ///
-/// - shrink: a new point is made where all the points of its stencil exist, so each level loses points at the ends and what is
-///   left is a part of the limit of every longer polygon: for B-splines the usual curve, for a 2n-point scheme the curve from
-///   p_{2n-2} to p_{M-2n+2}. Nothing is invented.
-/// - extend: before the first level the polygon is continued beyond its ends by equally spaced points on the lines through its
-///   first and last two (and by knots at the distance of the first and last two), as many as the limit on all of it depends
-///   on; what lies beyond the ends is cut off at last. So the limit is a part of a limit of bi-infinite data, and just as
-///   smooth up to its ends, which extrapolating once more at each level would not give. Linear data stay linear.
+/// - shrink: a new point is made where all the points of its stencil exist, so each level loses points at the ends and
+///   what is left is a part of the limit of every longer polygon: for B-splines the usual curve, for a 2n-point scheme
+///   the curve from p_{2n-2} to p_{M-2n+2}. Nothing is invented.
+/// - extend: before the first level the polygon is continued beyond its ends by equally spaced points on the lines
+///   through its first and last two (and by knots at the distance of the first and last two), as many as the limit on
+///   all of it depends on; what lies beyond the ends is cut off at last. So the limit is a part of a limit of
+///   bi-infinite data, and just as smooth up to its ends, which extrapolating once more at each level would not give.
+///   Linear data stay linear.
 ///
 /// By default interpolatory schemes extend, so that their curves go through all points, and all others shrink.
 enum class EndRule { automatic, extend, shrink };
@@ -48,25 +49,29 @@ struct UniformRule {
 /// \throws DomainError at a pole, or when the mask is zero or not finite there.
 UniformRule approx_uniform_rule(const Mask& mask, std::span<const Rational> parameter_values);
 
-/// A binary interpolatory 2n-point scheme over knots: the new point at (t_i + t_{i+1})/2 is sum_{j=1..2n} e_j p_{i-n+j}.
+/// A binary interpolatory 2n-point scheme over knots: the new point at (t_i + t_{i+1})/2 is sum_{j=1..2n} e_j
+/// p_{i-n+j}.
 struct NonuniformRule {
   /// 2n
   int points = 2;
-  /// e_1 .. e_2n for the knots t_{i-n+1} .. t_{i+n}. It must not change under affine maps of the knots: it is called with knots
-  /// that are shifted and scaled.
+  /// e_1 .. e_2n for the knots t_{i-n+1} .. t_{i+n}. It must not change under affine maps of the knots: it is called
+  /// with knots that are shifted and scaled.
   std::function<std::vector<double>(std::span<const double> knots)> stencil;
 };
 
 NonuniformRule approx_nonuniform_rule(const InsertionRule& rule, std::span<const Rational> parameter_values);
 
-/// The polygon after some levels, without knots. Old points of an interpolatory scheme are kept bit by bit; of a closed polygon
-/// p_j becomes point j arity^levels. The polygon's own knots play no part.
-/// \throws InputError when there are too few points: an open polygon needs as many as a stencil (and what shrinking loses), a
-/// closed one 3. LimitError: too many points. Interrupted. DomainError when points leave the range of double precision.
-Polygon refine_polygon(const Polygon& polygon, const UniformRule& rule, const Refinement& refinement, const Stop& stop = Stop());
+/// The polygon after some levels, without knots. Old points of an interpolatory scheme are kept bit by bit; of a closed
+/// polygon p_j becomes point j arity^levels. The polygon's own knots play no part.
+/// \throws InputError when there are too few points: an open polygon needs as many as a stencil (and what shrinking
+/// loses), a closed one 3. LimitError: too many points. Interrupted. DomainError when points leave the range of double
+/// precision.
+Polygon refine_polygon(const Polygon& polygon, const UniformRule& rule, const Refinement& refinement,
+                       const Stop& stop = Stop());
 
-/// The same over the polygon's knots, which are refined by midpoints; the result has knots. Interval ratios are exact at every
-/// level, since intervals are halved and never subtracted. \pre the polygon has knots
-Polygon refine_polygon(const Polygon& polygon, const NonuniformRule& rule, const Refinement& refinement, const Stop& stop = Stop());
+/// The same over the polygon's knots, which are refined by midpoints; the result has knots. Interval ratios are exact
+/// at every level, since intervals are halved and never subtracted. \pre the polygon has knots
+Polygon refine_polygon(const Polygon& polygon, const NonuniformRule& rule, const Refinement& refinement,
+                       const Stop& stop = Stop());
 
 }  // namespace limes

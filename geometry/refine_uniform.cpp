@@ -23,7 +23,8 @@ std::vector<Stencil> stencils(const UniformRule& rule) {
   for (std::size_t residue = 0; residue < p; ++residue) {
     Stencil& stencil = result[residue];
     // The coefficient a_{residue + p t} (counted from the first) belongs to the point j - t.
-    for (std::size_t k = residue; k < rule.mask.size(); k += p) stencil.weights.insert(stencil.weights.begin(), rule.mask[k]);
+    for (std::size_t k = residue; k < rule.mask.size(); k += p)
+      stencil.weights.insert(stencil.weights.begin(), rule.mask[k]);
     while (!stencil.weights.empty() && stencil.weights.back() == 0) {
       stencil.weights.pop_back();
       --stencil.offset;
@@ -71,14 +72,16 @@ UniformRule approx_uniform_rule(const Mask& mask, std::span<const Rational> para
   return rule;
 }
 
-Polygon refine_polygon(const Polygon& polygon, const UniformRule& rule, const Refinement& refinement, const Stop& stop) {
-  Support support{rule.arity, rule.first_index, rule.last_index(), rule.first_index + rule.last_index(), rule.points(),
-                  rule.interpolatory_index.has_value()};
+Polygon refine_polygon(const Polygon& polygon, const UniformRule& rule, const Refinement& refinement,
+                       const Stop& stop) {
+  Support support{rule.arity,        rule.first_index,
+                  rule.last_index(), rule.first_index + rule.last_index(),
+                  rule.points(),     rule.interpolatory_index.has_value()};
   if (rule.interpolatory_index) support.centre_twice = 2 * *rule.interpolatory_index;
   const std::vector<Stencil> level_stencils = stencils(rule);
-  Strip strip = geometry_impl::refined_strip(polygon, support, refinement, stop, [&](const Strip& from, Strip& to, int) {
-    refine_level(level_stencils, rule.first_index, from, to);
-  });
+  Strip strip = geometry_impl::refined_strip(
+      polygon, support, refinement, stop,
+      [&](const Strip& from, Strip& to, int) { refine_level(level_stencils, rule.first_index, from, to); });
   return {polygon.dimension(), std::move(strip.coordinates), polygon.closed()};
 }
 

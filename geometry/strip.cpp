@@ -44,10 +44,12 @@ constexpr std::int64_t max_scale = std::int64_t{1} << 36;
 
 [[noreturn]] void too_many(const Refinement& refinement, int possible) {
   throw LimitError(fmt::format("{} levels are too many: the result may have {} points, so at most {} {} possible here",
-                               refinement.levels, refinement.max_points, possible, possible == 1 ? "level is" : "levels are"));
+                               refinement.levels, refinement.max_points, possible,
+                               possible == 1 ? "level is" : "levels are"));
 }
 
-Strip refined_closed(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop, const Step& step) {
+Strip refined_closed(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop,
+                     const Step& step) {
   std::int64_t size = static_cast<std::int64_t>(polygon.size());
   for (int level = 1; level <= refinement.levels; ++level) {
     size *= support.arity;
@@ -67,8 +69,8 @@ Strip refined_closed(const Polygon& polygon, const Support& support, const Refin
   return strip;
 }
 
-Strip refined_open(const Polygon& polygon, const Support& support, bool extend, const Refinement& refinement, const Stop& stop,
-                   const Step& step) {
+Strip refined_open(const Polygon& polygon, const Support& support, bool extend, const Refinement& refinement,
+                   const Stop& stop, const Step& step) {
   const std::int64_t last = static_cast<std::int64_t>(polygon.size()) - 1;
   const int p = support.arity;
   Range range{0, last};
@@ -87,18 +89,22 @@ Strip refined_open(const Polygon& polygon, const Support& support, bool extend, 
     scale *= p;
     centre = p * centre + support.centre_twice;
     kept = ranges.back();
-    if (extend) kept = {std::max(kept.first, ceil_div(centre, 2)), std::min(kept.last, floor_div(centre + 2 * scale * last, 2))};
-    if (kept.size() > static_cast<std::int64_t>(refinement.max_points) || scale > max_scale) too_many(refinement, level - 1);
+    if (extend)
+      kept = {std::max(kept.first, ceil_div(centre, 2)), std::min(kept.last, floor_div(centre + 2 * scale * last, 2))};
+    if (kept.size() > static_cast<std::int64_t>(refinement.max_points) || scale > max_scale)
+      too_many(refinement, level - 1);
     if (kept.size() < 2) {
-      throw InputError(fmt::format("{} points are too few for an open polygon that shrinks: after {} {} nothing is left", last + 1, level,
-                                   level == 1 ? "level" : "levels"));
+      throw InputError(
+          fmt::format("{} points are too few for an open polygon that shrinks: after {} {} nothing is left", last + 1,
+                      level, level == 1 ? "level" : "levels"));
     }
   }
   Strip strip = continued(polygon, ranges.front());
   for (int level = 1; level <= refinement.levels; ++level) {
     stop.check();
     const Range& made = ranges[static_cast<std::size_t>(level)];
-    Strip next{made.first, strip.dimension, std::vector<double>(static_cast<std::size_t>(made.size()) * strip.dimension)};
+    Strip next{made.first, strip.dimension,
+               std::vector<double>(static_cast<std::size_t>(made.size()) * strip.dimension)};
     step(strip, next, level);
     strip = std::move(next);
   }
@@ -108,15 +114,18 @@ Strip refined_open(const Polygon& polygon, const Support& support, bool extend, 
 
 }  // namespace
 
-Strip refined_strip(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop, const Step& step) {
+Strip refined_strip(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop,
+                    const Step& step) {
   if (refinement.levels < 0) throw DomainError("the number of levels is negative");
   const int needed = polygon.closed() ? 3 : std::max(support.points, 2);
   if (polygon.size() < static_cast<std::size_t>(needed)) {
-    throw InputError(fmt::format("{} {} too few: {} needs at least {}", polygon.size(), polygon.size() == 1 ? "point is" : "points are",
+    throw InputError(fmt::format("{} {} too few: {} needs at least {}", polygon.size(),
+                                 polygon.size() == 1 ? "point is" : "points are",
                                  polygon.closed() ? "a closed polygon" : "the scheme on an open polygon", needed));
   }
   if (polygon.closed()) return refined_closed(polygon, support, refinement, stop, step);
-  const bool extend = refinement.ends == EndRule::extend || (refinement.ends == EndRule::automatic && support.interpolatory);
+  const bool extend =
+      refinement.ends == EndRule::extend || (refinement.ends == EndRule::automatic && support.interpolatory);
   return refined_open(polygon, support, extend, refinement, stop, step);
 }
 

@@ -20,12 +20,14 @@ struct Strip {
   std::vector<double> coordinates;
 
   std::int64_t last() const { return first + static_cast<std::int64_t>(coordinates.size() / dimension) - 1; }
-  const double* operator[](std::int64_t i) const { return coordinates.data() + static_cast<std::size_t>(i - first) * dimension; }
+  const double* operator[](std::int64_t i) const {
+    return coordinates.data() + static_cast<std::size_t>(i - first) * dimension;
+  }
   double* operator[](std::int64_t i) { return coordinates.data() + static_cast<std::size_t>(i - first) * dimension; }
 };
 
-/// Which old points a new one depends on: those j with lowest <= i - arity j <= highest. The new point i belongs at the place
-/// (i - centre) / arity of the old polygon; centre is an integer or half of one.
+/// Which old points a new one depends on: those j with lowest <= i - arity j <= highest. The new point i belongs at the
+/// place (i - centre) / arity of the old polygon; centre is an integer or half of one.
 struct Support {
   int arity = 2;
   int lowest = 0;
@@ -39,8 +41,9 @@ struct Support {
 /// Fills `to`, whose range is set, from the points of `from`; `level` >= 1 is the level that is made.
 using Step = std::function<void(const Strip& from, Strip& to, int level)>;
 
-/// Refines by steps, with what refine_polygon says about ends, limits and errors. Of a closed polygon the result is 0, ..,
-/// size arity^levels - 1.
-Strip refined_strip(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop, const Step& step);
+/// Refines by steps, with what refine_polygon says about ends, limits and errors. Of a closed polygon the result is 0,
+/// .., size arity^levels - 1.
+Strip refined_strip(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop,
+                    const Step& step);
 
 }  // namespace limes::geometry_impl

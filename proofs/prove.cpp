@@ -147,6 +147,10 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     Attempt direct = attempt_statement(scheme, m, claim.negated, claim.region, std::nullopt, limits, stop);
     if (direct.proof) return conclude(scheme, claim, Outcome::certified, std::move(direct));
 
+    if (claim.negated && scheme.insertion_rule) {  // N1 certifies only: one knot sequence that is smooth refutes nothing
+      undecided.reason = describe_failure(direct, scheme.parameter_names());
+      return undecided;
+    }
     std::vector<std::vector<Rational>> points = sample_points(claim.region);
     if (direct.failing_point) points.insert(points.begin(), *direct.failing_point);
     std::string opposite_reason;

@@ -29,7 +29,8 @@ std::vector<Rational> parameter_values(const Scheme& scheme, const std::vector<s
   const Box region = region_from_settings(scheme, settings);
   for (std::size_t k = 0; k < region.size(); ++k) {
     if (region[k].is_point()) continue;
-    throw InputError(fmt::format("refining needs one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
+    throw InputError(
+        fmt::format("refining needs one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
   }
   return midpoint(region);
 }
@@ -41,9 +42,10 @@ Polygon with_knots(const Polygon& polygon, const NumberTable& table, const std::
   const std::optional<std::size_t> repeated = first_repeated_point(polygon);
   if (repeated && *spacing != KnotSpacing::uniform) {
     const std::size_t next = (*repeated + 1) % polygon.size();
-    throw InputError(fmt::format("the same point as on line {}{}, but {} spacing needs neighbours that differ", table.lines[*repeated],
-                                 next == 0 ? " (a closed polygon names its first point once)" : "", knots),
-                     {table.file.string(), table.lines[next], 0});
+    throw InputError(
+        fmt::format("the same point as on line {}{}, but {} spacing needs neighbours that differ",
+                    table.lines[*repeated], next == 0 ? " (a closed polygon names its first point once)" : "", knots),
+        {table.file.string(), table.lines[next], 0});
   }
   return polygon.with_knots(spaced_knots(polygon, *spacing));
 }
@@ -64,16 +66,19 @@ Refined refined(const RefineOptions& options, const Stop& stop) {
   if (options.ends == "extend") refinement.ends = EndRule::extend;
   if (options.ends == "shrink") refinement.ends = EndRule::shrink;
   std::string title = scheme.name;
-  for (std::size_t k = 0; k < values.size(); ++k) title += fmt::format(", {} = {}", scheme.parameters[k].name, to_string(values[k]));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    title += fmt::format(", {} = {}", scheme.parameters[k].name, to_string(values[k]));
   try {
     if (scheme.kind == SchemeKind::nonuniform) {
       const std::string knots = options.knots.empty() ? to_string(KnotSpacing::centripetal) : options.knots;
       title += read_knot_spacing(knots) ? fmt::format(", {} knots", knots) : "";
       polygon = with_knots(polygon, table, knots);
-      return {polygon, refine_polygon(polygon, approx_nonuniform_rule(*scheme.insertion_rule, values), refinement, stop), title};
+      return {polygon,
+              refine_polygon(polygon, approx_nonuniform_rule(*scheme.insertion_rule, values), refinement, stop), title};
     }
     if (!options.knots.empty() && options.knots != to_string(KnotSpacing::uniform)) {
-      throw InputError(fmt::format("--knots {}: {} is a uniform scheme, its knots are equally spaced", options.knots, scheme.name));
+      throw InputError(
+          fmt::format("--knots {}: {} is a uniform scheme, its knots are equally spaced", options.knots, scheme.name));
     }
     return {polygon, refine_polygon(polygon, approx_uniform_rule(scheme.mask, values), refinement, stop), title};
   } catch (const InputError& error) {

@@ -68,7 +68,8 @@ void read_row(std::string_view line, int number, NumberTable& table) {
   }
   if (table.rows() == 0) table.columns = columns;
   if (columns != table.columns) {
-    throw InputError(fmt::format("{} columns, but line {} has {}", columns, table.lines.front(), table.columns), {name, number, 0});
+    throw InputError(fmt::format("{} columns, but line {} has {}", columns, table.lines.front(), table.columns),
+                     {name, number, 0});
   }
   if (table.rows() == max_rows) throw LimitError(fmt::format("more than {} rows", max_rows), {name, number, 0});
   table.lines.push_back(number);
@@ -107,11 +108,14 @@ Polygon polygon_from(const NumberTable& table, bool closed) { return {table.colu
 
 std::vector<double> knots_from(const NumberTable& table, const Polygon& polygon) {
   const std::string name = table.file.string();
-  if (table.columns != 1) throw InputError(fmt::format("{} columns, but knots are one number a line", table.columns), {name, table.lines.front(), 0});
+  if (table.columns != 1)
+    throw InputError(fmt::format("{} columns, but knots are one number a line", table.columns),
+                     {name, table.lines.front(), 0});
   for (std::size_t i = 1; i < table.rows(); ++i) {
     if (table.values[i - 1] < table.values[i]) continue;
-    throw InputError(fmt::format("knots must increase strictly, but {} follows {}", table.values[i], table.values[i - 1]),
-                     {name, table.lines[i], 0});
+    throw InputError(
+        fmt::format("knots must increase strictly, but {} follows {}", table.values[i], table.values[i - 1]),
+        {name, table.lines[i], 0});
   }
   const std::size_t expected = polygon.size() + (polygon.closed() ? 1 : 0);
   if (table.rows() != expected) {

@@ -20,11 +20,11 @@ struct NumberTable {
   std::size_t rows() const { return lines.size(); }
 };
 
-/// Reads comma-separated numbers, one row a line: decimals or fractions p/q, read exactly and rounded once. Blank lines and
-/// lines that start with # are skipped.
-/// \throws InputError "file:line: reason": the file cannot be read, something is no number, is nan, infinite or beyond double
-/// precision; a row has another number of columns than the first one; there is no row. LimitError: more than 256 MiB, 2^22 rows or
-/// 64 columns.
+/// Reads comma-separated numbers, one row a line: decimals or fractions p/q, read exactly and rounded once. Blank lines
+/// and lines that start with # are skipped.
+/// \throws InputError "file:line: reason": the file cannot be read, something is no number, is nan, infinite or beyond
+/// double precision; a row has another number of columns than the first one; there is no row. LimitError: more than 256
+/// MiB, 2^22 rows or 64 columns.
 NumberTable read_csv_file(const std::filesystem::path& file);
 /// The same from a text; `file` only names it in messages.
 NumberTable read_csv(std::string_view text, const std::filesystem::path& file);

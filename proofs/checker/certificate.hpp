@@ -50,7 +50,7 @@ struct Certificate {
   bool negated = false;  ///< "not C<order>"
   int order = 0;
   Region region;
-  bool certified = false;      ///< or refuted
+  bool certified = false;  ///< or refuted
   Theorem theorem = Theorem::U1;
   bool interpolatory = false;  ///< or linear independence; of U2
   std::vector<Leaf> leaves;    ///< of N3: one, a point without witness

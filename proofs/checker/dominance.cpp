@@ -61,29 +61,21 @@ void prove_rouche(const Bernstein& r) {
   }
 }
 
-/// det(X - Y), X_ij = r_{p-j+i} for j >= i, Y_ij = r_{i+j-p} for i + j >= p (from 1, (p-1) x (p-1)), in scaled Bernstein
-/// form. That is, with x for t / (1-t), the determinant of polynomials in x whose coefficients are the scaled ones: from
-/// its values modulo enough numbers at enough points.
+/// det(X - Y), X_ij = r_{p-j+i} for j >= i, Y_ij = r_{i+j-p} for i + j >= p (from 1, (p-1) x (p-1)), in scaled
+/// Bernstein form. That is, with x for t / (1-t), the determinant of polynomials in x whose coefficients are the scaled
+/// ones: from its values modulo enough numbers at enough points.
 std::vector<mpz_class> boundary_determinant(const Bernstein& r, std::vector<int>& degrees, Budget& budget) {
-  const std::size_t p = r.count() - 1, n = p - 1, size = r.size();
-  std::vector<Dense> entries;  // n x n
-  mpz_class bound = 1;
-  budget.work(static_cast<double>(n * n * size) * (100 + 2 * limbs(r)));
-  budget.hold(static_cast<double>(n * n * size) * (40 + 8 * limbs(r)));
+  const std::size_t p = r.count() - 1, n = p - 1;
+  std::vector<Dense> coefficients;
+  budget.hold(static_cast<double>(r.coefficients.size()) * (40 + 8 * limbs(r)));
+  for (std::size_t s = 0; s <= p; ++s) coefficients.push_back({r.degrees, r.polynomial(s).coefficients});
+  mpz_class bound = 1;  // the product of the rows' norms
   for (std::size_t i = 1; i <= n; ++i) {
-    mpz_class row = 0;
-    for (std::size_t j = 1; j <= n; ++j) {
-      Dense entry{r.degrees, std::vector<mpz_class>(size)};
-      for (std::size_t k = 0; k < size; ++k) {
-        if (j >= i) entry.coefficients[k] += r.coefficients[(p - j + i) * size + k];
-        if (i + j >= p) entry.coefficients[k] -= r.coefficients[(i + j - p) * size + k];
-      }
-      row += norm(entry);
-      entries.push_back(std::move(entry));
-    }
+    mpz_class row = 1;
+    for (std::size_t j = i; j <= n; ++j) row += norm(coefficients[p - j + i]);
+    for (std::size_t j = p - i; j <= n; ++j) row += norm(coefficients[i + j - p]);
     bound *= row;
   }
-  bound += 1;
   double points = 1, sweep = 0;
   std::vector<int> counts;
   for (const int d : r.degrees) {
@@ -94,16 +86,23 @@ std::vector<mpz_class> boundary_determinant(const Bernstein& r, std::vector<int>
   }
   const double bits = static_cast<double>(mpz_sizeinbase(bound.get_mpz_t(), 2)) + 1, size_n = static_cast<double>(n);
   budget.hold(points * (bits / 4 + 64));
-  const double per_modulus = visit_cost(entries, counts) + points * (600 + 5 * size_n * size_n * size_n + sweep +
-                                                                     100 + bits / 8);
+  const double per_modulus =
+      visit_cost(coefficients, counts) + points * (800 + 5 * size_n * size_n * size_n + sweep + 100 + bits / 8);
   budget.work(moduli_for(bits) * per_modulus);
   Reconstruction reconstruction(static_cast<std::size_t>(points), bound);
   for (mpz_class q = next_modulus(); !reconstruction.is_complete(); q = next_modulus(q)) {
     const Modulus modulus(q);
     std::vector<Residue> values;
-    const bool done = for_each_point(modulus, entries, counts, 0, [&](const std::vector<Residue>& matrix) {
+    const bool done = for_each_point(modulus, coefficients, counts, 0, [&](const std::vector<Residue>& at_point) {
+      std::vector<Residue> matrix(n * n, 0);
+      for (std::size_t i = 1; i <= n; ++i)
+        for (std::size_t j = 1; j <= n; ++j) {
+          Residue& entry = matrix[(i - 1) * n + j - 1];
+          if (j >= i) entry = at_point[p - j + i];
+          if (i + j >= p) entry = modulus.minus(entry, at_point[i + j - p]);
+        }
       values.push_back(0);
-      return determinant(modulus, matrix, n, values.back());
+      return determinant(modulus, std::move(matrix), n, values.back());
     });
     if (done && interpolate(modulus, values, counts)) reconstruction.add(modulus, values);
   }
@@ -130,10 +129,12 @@ void prove_boundary(const Bernstein& r, const Region& box, Budget& budget) {
   if (!is_positive(determinant, degrees, box)) fail("the determinant is not proved positive (boundary test)");
 }
 
-/// F(c, .) = |r(e^{it})|^2 = A_0 + 2 sum_k T_k(c) A_k, c = cos t, A_k = sum_i r_i r_{i+k}: no root ever is on the circle.
+/// F(c, .) = |r(e^{it})|^2 = A_0 + 2 sum_k T_k(c) A_k, c = cos t, A_k = sum_i r_i r_{i+k}: no root ever is on the
+/// circle.
 void prove_circle(const Bernstein& r, const std::vector<mpq_class>& cuts, Budget& budget) {
   const std::size_t p = r.count() - 1;
-  const double entries = tensor_size(r.degrees, 1), doubled = tensor_size(r.degrees, 2), degree = static_cast<double>(p);
+  const double entries = tensor_size(r.degrees, 1), doubled = tensor_size(r.degrees, 2),
+               degree = static_cast<double>(p);
   budget.work((degree + 1) * (degree + 2) / 2 * entries * entries * cost(limbs(r), limbs(r)));
   budget.hold((degree + 4) * doubled * (40 + 16 * limbs(r)));
   std::vector<Bernstein> a;
@@ -195,8 +196,12 @@ void prove_dominance(const Factor& factor, int order, const Dominance& leaf, Bud
     for (const auto& d : polynomials) degrees.back() = std::max(degrees.back(), degree(d, k));
   }
   Bernstein r = to_bernstein(polynomials, leaf.region, axes, degrees, budget);
-  budget.work(static_cast<double>(r.coefficients.size()) * (200 + 2 * limbs(r) + order));
+  budget.work(static_cast<double>(r.coefficients.size()) * (500 + 10 * limbs(r) * limbs(r) + order));
   divide_common_powers(r, box);
+  mpz_class content = 0;
+  for (const auto& c : r.coefficients) content = gcd(content, c);
+  if (content == 0) fail("the factor vanishes on the leaf");
+  for (auto& c : r.coefficients) c /= content;
   const std::size_t size = r.size(), p = r.count() - 1;
   std::vector<mpz_class> midpoint(p + 1);
   for (std::size_t s = 0; s <= p; ++s)

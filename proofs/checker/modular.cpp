@@ -182,8 +182,8 @@ void Reconstruction::add(const Modulus& modulus, const std::vector<Residue>& res
   const Residue inverse = modulus.inverse(modulus.from(product_));
   if (inverse == 0) return;
   for (std::size_t i = 0; i < values_.size(); ++i)
-    values_[i] += product_ * modulus.to_integer(
-                                 modulus.times(modulus.minus(residues[i], modulus.from(values_[i])), inverse));
+    values_[i] +=
+        product_ * modulus.to_integer(modulus.times(modulus.minus(residues[i], modulus.from(values_[i])), inverse));
   product_ *= modulus.value();
 }
 

@@ -43,7 +43,8 @@ inline double moduli_for(double bits) { return std::floor(bits / 61) + 1; }
 /// p > previous.value(), for a start from 2^61.
 mpz_class next_modulus(const mpz_class& previous = mpz_class(1) << 61);
 
-/// c_0 .. c_n = 1 with det(lambda - M) = sum_i c_i lambda^i, for the matrix M row by row. Empty when a pivot has no inverse.
+/// c_0 .. c_n = 1 with det(lambda - M) = sum_i c_i lambda^i, for the matrix M row by row. Empty when a pivot has no
+/// inverse.
 std::vector<Residue> characteristic_polynomial(const Modulus& modulus, std::vector<Residue> matrix, std::size_t n);
 /// \returns whether the product of the pivots had an inverse
 bool determinant(const Modulus& modulus, std::vector<Residue> matrix, std::size_t n, Residue& result);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Theorem N1 (Warren 1995; Daubechies, Guskov & Sweldens 1999; Karciauskas & Peters 2013): midpoints are inserted, so
-// after finitely many steps every knot with a ratio gamma != 1 is isolated. There, let L(gamma) be the matrix of one step on
-// the 4n-1 nearest points. If the scheme for equal intervals is C^m (theorem U1), L has the eigenvectors t^k to the
-// eigenvalues 2^{-k}, k = 0..m, and all its other eigenvalues are less than 2^{-m}, then the scheme is C^m.
+// after finitely many steps every knot with a ratio gamma != 1 is isolated. There, let L(gamma) be the matrix of one
+// step on the 4n-1 nearest points. If the scheme for equal intervals is C^m (theorem U1), L has the eigenvectors t^k to
+// the eigenvalues 2^{-k}, k = 0..m, and all its other eigenvalues are less than 2^{-m}, then the scheme is C^m.
 #include "proofs/checker/certificate.hpp"
 #include "proofs/checker/modular.hpp"
 
@@ -17,8 +17,8 @@ Polynomial knot(const Rule& rule, int j, Budget& budget) {
   return multiply(constant(j), j > 0 ? variable(rule.gamma) : constant(1), budget);
 }
 
-/// (b) L v_k = 2^{-k} v_k for k = 0..m: in row k of the new points, sum_j e_j t_j^k = (t/2)^k at the knot t/2. The rows of
-/// the old points have this property for any knots t_{2j} = 2 t_j.
+/// (b) L v_k = 2^{-k} v_k for k = 0..m: for the new point at t_r / 2, r odd, sum_j e_j t_j^k = (t_r / 2)^k. The rows of
+/// the old points have this property since t_{2j} = 2 t_j.
 void prove_eigenvectors(const Rule& rule, const std::vector<Stencil>& rows, int order, Budget& budget) {
   const int n = rule.points / 2;
   std::vector<Polynomial> powers;  // of the knots t_{1-2n} .. t_{2n-1}
@@ -28,9 +28,10 @@ void prove_eigenvectors(const Rule& rule, const std::vector<Stencil>& rows, int 
       const Stencil& row = rows[static_cast<std::size_t>(i)];
       Polynomial sum;
       for (int j = 0; j < 2 * n; ++j)
-        sum = add(std::move(sum),
-                  multiply(row.numerators[static_cast<std::size_t>(j)], powers[static_cast<std::size_t>(i + j)], budget),
-                  budget);
+        sum =
+            add(std::move(sum),
+                multiply(row.numerators[static_cast<std::size_t>(j)], powers[static_cast<std::size_t>(i + j)], budget),
+                budget);
       // Row i is that of the knot number 2i + 1 - 2n.
       const Polynomial expected = multiply(row.denominator, powers[static_cast<std::size_t>(2 * i)], budget);
       if (multiply(sum, constant(mpz_class(1) << static_cast<unsigned long>(k)), budget) != expected)
@@ -102,10 +103,10 @@ std::vector<Dense> to_dense(const std::vector<Polynomial>& family, const std::ve
 
 /// (c) det(lambda - L) prod lc(f)^mult = prod_{k<=m} (lambda - 2^{-k}) prod f^mult.
 ///
-/// Times the denominators D of the rows, and 2^{m(m+1)/2}, both sides are polynomials with integer coefficients in lambda,
-/// gamma and the parameters. Their degrees are bounded by sums over the rows and factors, their coefficients by products
-/// of norms; they are equal modulo a number when they are so at a grid with more points than these degrees, and
-/// equal when they are so modulo numbers with a product greater than the bounds.
+/// Times the denominators D of the rows, and 2^{m(m+1)/2}, both sides are polynomials with integer coefficients in
+/// lambda, gamma and the parameters. Their degrees are bounded by sums over the rows and factors, their coefficients by
+/// products of norms; they are equal modulo a number when they are so at a grid with more points than these degrees,
+/// and equal when they are so modulo numbers with a product greater than the sum of the bounds.
 void prove_characteristic_polynomial(const std::vector<Stencil>& rows, const std::vector<Factor>& factors, int order,
                                      std::vector<std::size_t> variables, Budget& budget) {
   const std::size_t points = rows.size(), n = 2 * points - 1;
@@ -156,7 +157,8 @@ void prove_characteristic_polynomial(const std::vector<Stencil>& rows, const std
   const mpz_class bound = left + right;
   const double size = static_cast<double>(n);
   const double moduli = moduli_for(static_cast<double>(mpz_sizeinbase(bound.get_mpz_t(), 2)) + 1);
-  budget.work(moduli * (visit_cost(polynomials, counts) + visits * (charpoly_cost(size) + 500 * size + 20 * size * size)));
+  budget.work(moduli *
+              (visit_cost(polynomials, counts) + visits * (charpoly_cost(size) + 500 * size + 20 * size * size)));
 
   const auto agree = [&](const Modulus& f, const std::vector<Residue>& values, bool& usable) {
     std::vector<Residue> matrix(n * n, 0), product{f.one()};
@@ -170,8 +172,7 @@ void prove_characteristic_polynomial(const std::vector<Stencil>& rows, const std
     const auto multiply_by = [&](const Residue* coefficients, std::size_t count) {
       std::vector<Residue> next(product.size() + count - 1, 0);
       for (std::size_t i = 0; i < product.size(); ++i)
-        for (std::size_t j = 0; j < count; ++j)
-          next[i + j] = f.plus(next[i + j], f.times(product[i], coefficients[j]));
+        for (std::size_t j = 0; j < count; ++j) next[i + j] = f.plus(next[i + j], f.times(product[i], coefficients[j]));
       product = std::move(next);
     };
     Residue scale = f.one(), half = f.inverse(f.plus(f.one(), f.one())), root = f.one();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Theorem N3: let chi be the characteristic polynomial of L(gamma) at one gamma > 0 and one value of the parameters, and
-// divide out (lambda - 2^{-k}) once for those k = 0..m for which it divides. A root of the rest that is not less than 2^{-m}
-// belongs to an eigenvector, to a second one of an eigenvalue 2^{-k}, or to a Jordan chain; since the scheme is interpolatory,
-// this is the values at the knots of a limit f with f(t/2) = lambda f(t) (+ c t^k), which no Taylor polynomial of
-// degree m with a rest o(t^m) allows.
+// Theorem N3: let chi be the characteristic polynomial of L(gamma) at one gamma > 0 and one value of the parameters;
+// divide out (lambda - 2^{-k}) once for those k = 0..m for which it divides. A root of the rest that is not less than
+// 2^{-m} belongs to an eigenvector, to a second one of an eigenvalue 2^{-k}, or to a Jordan chain; since the scheme is
+// interpolatory, this is the values at the knots of a limit f with f(t/2) = lambda f(t) (+ c t^k), which no Taylor
+// polynomial of degree m with a rest o(t^m) allows.
 #include "proofs/checker/certificate.hpp"
 #include "proofs/checker/modular.hpp"
 

@@ -86,8 +86,8 @@ Fraction quotient(const Fraction& x, const Fraction& y, Budget& budget) {
   // 1 / (P / Q) = Q^2 / (P Q): what Q excludes stays excluded. The leading coefficient moves to the numerator.
   const Polynomial scale = constant(1 / mpq_class(y.numerator.rbegin()->second));
   const auto times = [&](const Polynomial& p, const Polynomial& q) { return multiply(p, q, budget); };
-  return product(x, {times(times(y.denominator, y.denominator), scale), times(times(y.numerator, y.denominator), scale)},
-                 budget);
+  return product(
+      x, {times(times(y.denominator, y.denominator), scale), times(times(y.numerator, y.denominator), scale)}, budget);
 }
 
 Fraction power(const Fraction& x, int exponent, Budget& budget) {

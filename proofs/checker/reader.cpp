@@ -163,7 +163,8 @@ void read_nonuniform_scheme(const Json& json, Certificate& certificate, Budget& 
   if (points % 2 != 0) reader.fail("needs an even number of points");
   if (by_weights) {
     std::vector<std::string> texts;
-    for (const Json& text : reader.list("coefficients", static_cast<std::size_t>(points), static_cast<std::size_t>(points)))
+    for (const Json& text :
+         reader.list("coefficients", static_cast<std::size_t>(points), static_cast<std::size_t>(points)))
       texts.push_back(reader.text(text, "a coefficient"));
     certificate.rule = read_coefficients(texts, scheme.parameters, budget);
   } else {
@@ -245,8 +246,7 @@ void read_n1(const Json& json, Certificate& certificate, Budget& budget) {
   }
   const Json& multiplicities = proof.list("multiplicities", certificate.factors.size(), certificate.factors.size());
   for (std::size_t k = 0; k < certificate.factors.size(); ++k)
-    certificate.factors[k].multiplicity =
-        proof.integer(multiplicities[k], "a multiplicity", 1, static_cast<int>(size));
+    certificate.factors[k].multiplicity = proof.integer(multiplicities[k], "a multiplicity", 1, static_cast<int>(size));
   for (const Json& leaf : proof.list("dominance", 0, 100000)) {
     const std::string where = "dominance leaf " + std::to_string(certificate.dominance.size() + 1);
     std::vector<std::string> keys{"factor", "region", "test"};
@@ -277,7 +277,8 @@ void read_n3(const Json& json, Certificate& certificate, Budget& budget) {
   for (const Interval& interval : certificate.leaves.front().region)
     if (!interval.is_point()) proof.fail("needs a region that is one point");
   certificate.gamma = read_interval(proof.text(proof.at("gamma"), "gamma"), "proof");
-  if (!certificate.gamma.is_point() || certificate.gamma.lower.value <= 0) proof.fail("needs a positive rational gamma");
+  if (!certificate.gamma.is_point() || certificate.gamma.lower.value <= 0)
+    proof.fail("needs a positive rational gamma");
 }
 
 Theorem read_theorem(const Reader& reader) {
@@ -314,7 +315,8 @@ Certificate read_certificate(std::string_view text, Budget& budget) {
   if (result.proves_smoothness() == (result.certified == result.negated) || (n1 && !result.certified) ||
       (n3 && result.certified && !std::all_of(result.region.begin(), result.region.end(), is_point)))
     claim.fail("is not what the theorem can decide so");
-  if (result.rule ? result.theorem == Theorem::U1 : n1 || n3) claim.fail("is about another kind of scheme than the theorem");
+  if (result.rule ? result.theorem == Theorem::U1 : n1 || n3)
+    claim.fail("is about another kind of scheme than the theorem");
 
   if (n1) read_n1(json["proof"], result, budget);
   if (n3) read_n3(json["proof"], result, budget);

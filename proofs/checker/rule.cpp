@@ -6,6 +6,7 @@
 //     expression = term { ("+" | "-") term }        factor  = "-" factor | primary [ "^" digits ]
 //     term       = factor { ("*" | "/") factor }    primary = digits | name | function "(" arguments ")" | "(" .. ")"
 #include "proofs/checker/rule.hpp"
+#include "proofs/checker/bezier.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,105 +19,6 @@ constexpr int max_degree = 64, max_order = 15, max_height = 1000, max_again_dept
 constexpr std::array vocabulary{"f", "hermite", "degree", "tension", "join", "split", "at", "dot", "again"};
 
 using Node = Rule::Node;
-using Vector = std::vector<mpq_class>;
-using Rows = std::vector<Vector>;
-
-mpq_class binomial(int n, int k) {
-  mpz_class result;
-  mpz_bin_uiui(result.get_mpz_t(), static_cast<unsigned long>(n), static_cast<unsigned long>(k));
-  return result;
-}
-
-mpq_class power(const mpq_class& x, int n) {
-  mpq_class result = 1;
-  for (int k = 0; k < n; ++k) result *= x;
-  return result;
-}
-
-/// The coefficients 0..r in degree `to` of the r-jet at 0 of a segment (Karciauskas & Peters 2013, eq. 7).
-Rows jet_rows(int from, int to, int r) {
-  const auto falling = [](int x, int count) {
-    mpq_class result = 1;
-    for (int s = 0; s < count; ++s) result *= x - s;
-    return result;
-  };
-  Rows rows;
-  for (int i = 0; i <= r; ++i) {
-    rows.emplace_back(static_cast<std::size_t>(from + 1));
-    for (int j = 0; j <= std::min(i, from); ++j)
-      rows.back()[static_cast<std::size_t>(j)] =
-          binomial(i, j) * falling(from, j) * falling(to - from, i - j) / falling(to, i);
-  }
-  return rows;
-}
-
-void add_multiple(Vector& x, const mpq_class& factor, const Vector& y) {
-  for (std::size_t c = 0; c < x.size(); ++c)
-    if (y[c] != 0) x[c] += factor * y[c];
-}
-
-/// The C^r segment in `pieces` equal pieces of degree r+1 with the r-jets of a segment S; no rows when there is none.
-/// It is sum_{l<=r} a_l u^l + x_0 u^{r+1} + sum_{0<k<pieces} x_k (u - k/pieces)_+^{r+1} with the Taylor coefficients
-/// a_l of S at 0, and its Taylor coefficients i <= r at 1 are those of S: r+1 equations for the x_k.
-Rows split_rows(int degree, int r, int pieces) {
-  const Vector zero(static_cast<std::size_t>(degree + 1));
-  Rows start, end;  // Taylor coefficients 0..r of S at 0 and at 1
-  for (int l = 0; l <= r; ++l) {
-    start.push_back(zero);
-    end.push_back(zero);
-    for (int s = 0; s <= l && l <= degree; ++s) {
-      const mpq_class difference = binomial(degree, l) * binomial(l, s) * ((l - s) % 2 == 0 ? 1 : -1);
-      start.back()[static_cast<std::size_t>(s)] = difference;
-      end.back()[static_cast<std::size_t>(degree - l + s)] = difference;
-    }
-  }
-  Rows system, right;
-  for (int i = 0; i <= r; ++i) {
-    system.emplace_back();
-    for (int k = 0; k < pieces; ++k)
-      system.back().push_back(binomial(r + 1, i) * power(mpq_class(pieces - k) / pieces, r + 1 - i));
-    right.push_back(end[static_cast<std::size_t>(i)]);
-    for (int l = i; l <= r; ++l) add_multiple(right.back(), -binomial(l, i), start[static_cast<std::size_t>(l)]);
-  }
-  const auto unknowns = static_cast<std::size_t>(pieces);
-  for (std::size_t k = 0; k < unknowns; ++k) {  // the columns are independent: there is a pivot
-    std::size_t pivot = k;
-    while (pivot < system.size() && system[pivot][k] == 0) ++pivot;
-    if (pivot == system.size()) return {};
-    std::swap(system[k], system[pivot]);
-    std::swap(right[k], right[pivot]);
-    for (std::size_t i = 0; i < system.size(); ++i) {
-      if (i == k || system[i][k] == 0) continue;
-      const mpq_class factor = -system[i][k] / system[k][k];
-      add_multiple(system[i], factor, system[k]);
-      add_multiple(right[i], factor, right[k]);
-    }
-  }
-  for (std::size_t i = unknowns; i < right.size(); ++i)
-    if (right[i] != zero) return {};
-  Rows result;
-  for (int piece = 0; piece < pieces; ++piece) {
-    Rows local;  // the Taylor coefficients at the piece's start, its length being the unit
-    for (int i = 0; i <= r + 1; ++i) {
-      Vector sum = zero;
-      for (int l = i; l <= r; ++l)
-        add_multiple(sum, binomial(l, i) * power(mpq_class(piece) / pieces, l - i), start[static_cast<std::size_t>(l)]);
-      for (std::size_t k = 0; k <= static_cast<std::size_t>(piece); ++k)
-        add_multiple(sum,
-                     binomial(r + 1, i) * power(mpq_class(piece - static_cast<int>(k)) / pieces, r + 1 - i) /
-                         system[k][k],
-                     right[k]);
-      for (auto& c : sum) c *= power(mpq_class(1) / pieces, i);
-      local.push_back(std::move(sum));
-    }
-    for (int j = 0; j <= r + 1; ++j) {
-      result.push_back(zero);
-      for (int i = 0; i <= j; ++i)
-        add_multiple(result.back(), binomial(j, i) / binomial(r + 1, i), local[static_cast<std::size_t>(i)]);
-    }
-  }
-  return result;
-}
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name_part(char c) { return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -136,11 +38,36 @@ class RuleReader {
     for (std::size_t k = 0; k < parameters.size(); ++k) names_[parameters[k]].number = {variable(k), constant(1)};
   }
 
-  void define(const std::string& name, std::string_view text) {
-    const bool is_function = std::find(vocabulary.begin(), vocabulary.end(), name) != vocabulary.end();
-    if (!is_name(name) || is_function || name == "gamma" || names_.contains(name))
-      throw Rejected{"scheme", quoted(name) + " cannot be the name of a definition, or is taken"};
-    names_[name] = whole(text);
+  /// In an order in which every definition follows those that it mentions.
+  void define(const Definitions& definitions) {
+    std::map<std::string, std::set<std::string>> waiting;  // for definitions that are not read yet
+    for (const auto& [name, text] : definitions) {
+      const bool is_function = std::find(vocabulary.begin(), vocabulary.end(), name) != vocabulary.end();
+      if (!is_name(name) || is_function || name == "gamma" || names_.contains(name) || waiting.contains(name))
+        throw Rejected{"scheme", quoted(name) + " cannot be the name of a definition, or is taken"};
+      waiting[name] = {};
+    }
+    for (const auto& [name, text] : definitions) {
+      budget_.work(200. * static_cast<double>(text.size()));
+      for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::size_t start = i;
+        while (i < text.size() && is_name_part(text[i])) ++i;
+        if (const std::string word = text.substr(start, i - start); waiting.contains(word)) waiting[name].insert(word);
+      }
+    }
+    while (!waiting.empty()) {
+      const std::size_t before = waiting.size();
+      for (const auto& [name, text] : definitions) {
+        const auto found = waiting.find(name);
+        if (found == waiting.end() || !found->second.empty()) continue;
+        names_[name] = whole(text);
+        waiting.erase(found);
+        for (auto& [other, mentioned] : waiting) mentioned.erase(name);
+      }
+      if (waiting.size() == before)
+        throw Rejected{"scheme",
+                       "the definition of " + quoted(waiting.begin()->first) + " is part of a cycle, or needs one"};
+    }
   }
   int point(std::string_view text) {
     const Value value = whole(text);
@@ -219,7 +146,7 @@ class RuleReader {
     const std::string_view digits = token(is_digit);
     const int exponent = digits.empty() || digits.size() > 4 ? 1001 : std::stoi(std::string(digits));
     if (exponent > 1000) fail("needs an integer exponent from 0 to 1000");
-    base.number = checker::power(base.number, exponent, budget_);
+    base.number = power(base.number, exponent, budget_);
     return base;
   }
   Value primary() {
@@ -309,8 +236,7 @@ class RuleReader {
     for (const int k : made.arguments) {
       const Node& argument = rule_.nodes[static_cast<std::size_t>(k)];
       made.height = std::max(made.height, argument.height + 1);
-      made.again_depth =
-          std::max(made.again_depth, argument.again_depth + (made.kind == Node::Kind::again ? 1 : 0));
+      made.again_depth = std::max(made.again_depth, argument.again_depth + (made.kind == Node::Kind::again ? 1 : 0));
     }
     if (made.height > max_height) fail("combines more than 1000 segments and points in a row");
     if (made.again_depth > max_again_depth) fail("has again more than 3 deep");
@@ -378,7 +304,8 @@ class RuleReader {
   }
   Value hermite(const std::vector<Value>& arguments) {
     Node made;
-    const int r = integer(arguments[0], 0, max_order), m = segment(arguments[1]).degree, n = segment(arguments[2]).degree;
+    const int r = integer(arguments[0], 0, max_order), m = segment(arguments[1]).degree,
+              n = segment(arguments[2]).degree;
     made.degree = 2 * r + 1;
     made.arguments = {arguments[1].node, arguments[2].node};
     made.rows.resize(static_cast<std::size_t>(made.size()));
@@ -503,7 +430,7 @@ Rule read_rule(const Definitions& definitions, std::string_view rule, const std:
   result.points = points;
   result.gamma = parameters.size();
   RuleReader reader(result, parameters, budget);
-  for (const auto& [name, text] : definitions) reader.define(name, text);
+  reader.define(definitions);
   result.root = reader.point(rule);
   return result;
 }

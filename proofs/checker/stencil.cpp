@@ -66,8 +66,7 @@ class Evaluator {
     Stencil result{missing({}, all), {}};
     for (const auto& column : columns)
       result.numerators.push_back(
-          column.numerators.empty() ? Polynomial{}
-                                    : times(column.numerators[0], missing(column.denominator, all)));
+          column.numerators.empty() ? Polynomial{} : times(column.numerators[0], missing(column.denominator, all)));
     return result;
   }
 
@@ -213,8 +212,8 @@ class Evaluator {
     return result;
   }
 
-  /// Coefficient r-1 from one end, of a segment over an interval of length h next to one of length g, by eqs. (3)-(5) of
-  /// Karciauskas & Peters 2013 with beta = h / g, over the common denominator g^{r-1} (g + h).
+  /// Coefficient r-1 from one end, of a segment over an interval of length h next to one of length g, by eqs. (3)-(5)
+  /// of Karciauskas & Peters 2013 with beta = h / g, over the common denominator r g^{r-1} (g + h).
   Columns join(std::size_t context, const Node& node, int shift) {
     const int argument = node.arguments[0], r = node.order, m = node.degree;
     const Columns& own = value(context, argument, shift);

@@ -33,7 +33,8 @@ class Painter {
   /// What is very far outside of the picture is moved nearer: no number becomes long and no loop either.
   PlotPoint place(const PlotPoint& p) const {
     const auto near = [](double value) { return std::clamp(value, -1e6, 1e6); };
-    return {near(page_.left + layout_.width * layout_.x.place(p.x)), near(page_.top + layout_.height * (1 - layout_.y.place(p.y)))};
+    return {near(page_.left + layout_.width * layout_.x.place(p.x)),
+            near(page_.top + layout_.height * (1 - layout_.y.place(p.y)))};
   }
   std::vector<PlotPoint> places(const std::vector<PlotPoint>& points) const {
     std::vector<PlotPoint> result;
@@ -44,7 +45,9 @@ class Painter {
   void operator()(const PlotCurve& curve) const {
     canvas_.polyline(places(simplified(curve.points, layout_, curve.closed)), curve.closed, curve.stroke);
   }
-  void operator()(const PlotMarkers& markers) const { canvas_.discs(places(markers.points), markers.radius, markers.color); }
+  void operator()(const PlotMarkers& markers) const {
+    canvas_.discs(places(markers.points), markers.radius, markers.color);
+  }
   void operator()(const PlotRegion& region) const {
     std::vector<std::vector<PlotPoint>> outlines;
     for (const auto& outline : region.outlines) outlines.push_back(places(outline));
@@ -65,8 +68,10 @@ class Painter {
     using Anchor = PlotLabel::Anchor;
     if (label.anchor == Anchor::left) align = TextAlign::end, at.x -= gap;
     if (label.anchor == Anchor::right) align = TextAlign::start, at.x += gap;
-    if (label.anchor == Anchor::above) at.y -= gap;
-    else at.y += label.anchor == Anchor::below ? gap + 0.7 * text_size : 0.35 * text_size;
+    if (label.anchor == Anchor::above)
+      at.y -= gap;
+    else
+      at.y += label.anchor == Anchor::below ? gap + 0.7 * text_size : 0.35 * text_size;
     canvas_.text(at, label.text, text_size, align, false);
   }
 
@@ -93,9 +98,11 @@ void draw_frame(const Plot& plot, const Layout& layout, const Page& page, Canvas
   }
   canvas.segments(marks, line);
   const double x_label = bottom + tick_length + 2 * gap + 1.7 * text_size;
-  if (!plot.x.label.empty()) canvas.text({page.left + layout.width / 2, x_label}, plot.x.label, text_size, TextAlign::middle, false);
+  if (!plot.x.label.empty())
+    canvas.text({page.left + layout.width / 2, x_label}, plot.x.label, text_size, TextAlign::middle, false);
   if (!plot.y.label.empty()) {
-    canvas.text({border + 0.8 * text_size, page.top + layout.height / 2}, plot.y.label, text_size, TextAlign::middle, true);
+    canvas.text({border + 0.8 * text_size, page.top + layout.height / 2}, plot.y.label, text_size, TextAlign::middle,
+                true);
   }
 }
 
@@ -125,13 +132,15 @@ Page page(const Plot& plot, const Layout& layout) {
   double right = 0;
   if (plot.frame) {
     const double below = tick_length + gap + text_size + (plot.x.label.empty() ? 0 : gap + text_size);
-    const double beside = tick_length + gap + widest(layout.y.ticks) + (plot.y.label.empty() ? 0 : gap + 1.2 * text_size);
+    const double beside =
+        tick_length + gap + widest(layout.y.ticks) + (plot.y.label.empty() ? 0 : gap + 1.2 * text_size);
     result.left += beside;
     result.width += beside;
     result.height += below;
     // The last tick's text may reach beyond the frame.
     if (!layout.x.ticks.empty()) {
-      const double reach = layout.width * layout.x.place(layout.x.ticks.back().value) + safety * text_width(layout.x.ticks.back().text, text_size) / 2;
+      const double reach = layout.width * layout.x.place(layout.x.ticks.back().value) +
+                           safety * text_width(layout.x.ticks.back().text, text_size) / 2;
       right = std::max(0.0, reach - layout.width);
     }
   }
@@ -148,7 +157,8 @@ Page page(const Plot& plot, const Layout& layout) {
   }
   if (const double width = legend_width(plot); width > 0) {
     right = std::max(right, 3 * gap + width);
-    result.height = std::max(result.height, result.top + 1.4 * text_size * static_cast<double>(legend(plot).size()) + border);
+    result.height =
+        std::max(result.height, result.top + 1.4 * text_size * static_cast<double>(legend(plot).size()) + border);
   }
   result.width += right;
   return result;

@@ -11,8 +11,14 @@
 namespace limes {
 
 Color palette(std::size_t k) {
-  constexpr std::array<Color, 8> colors{{{0, 0, 0}, {0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0},
-                                         {86, 180, 233}, {240, 228, 66}}};
+  constexpr std::array<Color, 8> colors{{{0, 0, 0},
+                                         {0, 114, 178},
+                                         {213, 94, 0},
+                                         {0, 158, 115},
+                                         {204, 121, 167},
+                                         {230, 159, 0},
+                                         {86, 180, 233},
+                                         {240, 228, 66}}};
   return colors[k % colors.size()];
 }
 
@@ -29,7 +35,8 @@ struct Extent {
   double lower = std::numeric_limits<double>::infinity(), upper = -std::numeric_limits<double>::infinity();
   void add(double value, const PlotAxis& axis) {
     if (!std::isfinite(value)) throw DomainError("a plot has a point that is not finite");
-    if (axis.logarithmic && value <= 0) throw DomainError("a logarithmic axis has no place for numbers that are not positive");
+    if (axis.logarithmic && value <= 0)
+      throw DomainError("a logarithmic axis has no place for numbers that are not positive");
     lower = std::min(lower, value);
     upper = std::max(upper, value);
   }
@@ -38,12 +45,15 @@ struct Extent {
 /// Calls visit(point) for every point of the plot.
 template <class Visit>
 void for_each_point(const Plot& plot, Visit visit) {
-  const auto all = [&](const std::vector<PlotPoint>& points) { for (const PlotPoint& p : points) visit(p); };
+  const auto all = [&](const std::vector<PlotPoint>& points) {
+    for (const PlotPoint& p : points) visit(p);
+  };
   for (const PlotItem& item : plot.items) {
     if (const auto* curve = std::get_if<PlotCurve>(&item)) all(curve->points);
     if (const auto* markers = std::get_if<PlotMarkers>(&item)) all(markers->points);
     if (const auto* label = std::get_if<PlotLabel>(&item)) visit(label->at);
-    if (const auto* region = std::get_if<PlotRegion>(&item)) for (const auto& outline : region->outlines) all(outline);
+    if (const auto* region = std::get_if<PlotRegion>(&item))
+      for (const auto& outline : region->outlines) all(outline);
     if (const auto* comb = std::get_if<PlotComb>(&item)) {
       if (comb->feet.size() != comb->tips.size()) throw DomainError("a comb needs one tip for each foot");
       all(comb->feet);
@@ -63,7 +73,9 @@ Scale ends(const PlotAxis& axis, const Extent& extent) {
       scale.upper = upper * factor;
     } else {
       const double size = std::max(std::abs(lower), std::abs(upper));
-      const double margin = std::max(0.05 * (upper - lower), upper - lower > 1e-12 * size ? 0.0 : size > 0 ? 0.1 * size : 1.0);
+      const double margin = std::max(0.05 * (upper - lower), upper - lower > 1e-12 * size ? 0.0
+                                                             : size > 0                   ? 0.1 * size
+                                                                                          : 1.0);
       scale.lower = lower - margin;
       scale.upper = upper + margin;
     }
@@ -91,7 +103,8 @@ void linear_ticks(Scale& scale, double wanted) {
   const int digits = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   for (double k = first; k <= last; ++k) {
     const double value = k * step;
-    scale.ticks.push_back({value, largest >= 1e5 || digits > 5 ? fmt::format("{:.6g}", value + 0.0) : decimals(value, digits)});
+    scale.ticks.push_back(
+        {value, largest >= 1e5 || digits > 5 ? fmt::format("{:.6g}", value + 0.0) : decimals(value, digits)});
   }
 }
 
@@ -131,8 +144,10 @@ Layout layout(const Plot& plot) {
   });
   Layout result{ends(plot.x, x), ends(plot.y, y), plot.width, plot.height};
   if (plot.equal_aspect) {
-    // The longer side fills the area, the other one shrinks, but not to less than an eighth: then its axis grows instead.
-    const double unit = std::min(plot.width / (result.x.upper - result.x.lower), plot.height / (result.y.upper - result.y.lower));
+    // The longer side fills the area, the other one shrinks, but not to less than an eighth: then its axis grows
+    // instead.
+    const double unit =
+        std::min(plot.width / (result.x.upper - result.x.lower), plot.height / (result.y.upper - result.y.lower));
     const auto fit = [&](Scale& scale, double& size) {
       const double least = size / 8, used = unit * (scale.upper - scale.lower);
       size = std::max(least, used);
@@ -145,16 +160,20 @@ Layout layout(const Plot& plot) {
     fit(result.y, result.height);
   }
   for (Scale* scale : {&result.x, &result.y}) {
-    if (scale->logarithmic) logarithmic_ticks(*scale);
-    else linear_ticks(*scale, scale == &result.x ? std::max(2.0, result.width / 60) : std::max(2.0, result.height / 45));
+    if (scale->logarithmic)
+      logarithmic_ticks(*scale);
+    else
+      linear_ticks(*scale, scale == &result.x ? std::max(2.0, result.width / 60) : std::max(2.0, result.height / 45));
   }
   return result;
 }
 
-std::vector<PlotPoint> simplified(const std::vector<PlotPoint>& points, const Layout& layout, bool closed, double tolerance) {
+std::vector<PlotPoint> simplified(const std::vector<PlotPoint>& points, const Layout& layout, bool closed,
+                                  double tolerance) {
   if (points.size() < 3) return points;
   std::vector<PlotPoint> places;
-  for (const PlotPoint& p : points) places.push_back({layout.width * layout.x.place(p.x), layout.height * layout.y.place(p.y)});
+  for (const PlotPoint& p : points)
+    places.push_back({layout.width * layout.x.place(p.x), layout.height * layout.y.place(p.y)});
   std::vector<bool> kept(points.size(), false);
   kept.front() = kept.back() = true;
   // A closed curve is cut into two at its middle, so that the first chord is not a point.
@@ -197,10 +216,14 @@ std::vector<LegendEntry> legend(const Plot& plot) {
   for (const PlotItem& item : plot.items) {
     const std::string* text = std::visit(
         [](const auto& what) -> const std::string* {
-          if constexpr (requires { what.points; }) return what.points.empty() ? nullptr : &what.legend;
-          else if constexpr (requires { what.feet; }) return what.feet.empty() ? nullptr : &what.legend;
-          else if constexpr (requires { what.outlines; }) return what.outlines.empty() ? nullptr : &what.legend;
-          else return nullptr;
+          if constexpr (requires { what.points; })
+            return what.points.empty() ? nullptr : &what.legend;
+          else if constexpr (requires { what.feet; })
+            return what.feet.empty() ? nullptr : &what.legend;
+          else if constexpr (requires { what.outlines; })
+            return what.outlines.empty() ? nullptr : &what.legend;
+          else
+            return nullptr;
         },
         item);
     if (text && !text->empty()) entries.push_back({*text, &item});
@@ -210,8 +233,8 @@ std::vector<LegendEntry> legend(const Plot& plot) {
 
 std::string plain_text(const std::string& text, bool greek) {
   static const std::vector<std::pair<std::string, std::string>> letters{
-      {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"}, {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"},
-      {"mu", "μ"}, {"pi", "π"}, {"rho", "ρ"}, {"sigma", "σ"}, {"phi", "φ"}, {"omega", "ω"}};
+      {"alpha", "α"},  {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"}, {"theta", "θ"}, {"kappa", "κ"},
+      {"lambda", "λ"}, {"mu", "μ"},   {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"},   {"phi", "φ"},   {"omega", "ω"}};
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '$') continue;
@@ -220,9 +243,11 @@ std::string plain_text(const std::string& text, bool greek) {
       continue;
     }
     std::size_t end = i + 1;
-    while (end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') || (text[end] >= 'A' && text[end] <= 'Z'))) ++end;
+    while (end < text.size() && ((text[end] >= 'a' && text[end] <= 'z') || (text[end] >= 'A' && text[end] <= 'Z')))
+      ++end;
     const std::string name = text.substr(i + 1, end - i - 1);
-    const auto letter = std::find_if(letters.begin(), letters.end(), [&](const auto& entry) { return entry.first == name; });
+    const auto letter =
+        std::find_if(letters.begin(), letters.end(), [&](const auto& entry) { return entry.first == name; });
     result += greek && letter != letters.end() ? letter->second : name;
     if (end > i + 1) i = end - 1;
   }

@@ -30,9 +30,10 @@ struct Layout {
 /// \throws DomainError as plot.hpp says.
 Layout layout(const Plot& plot);
 
-/// The points whose polyline stays within `tolerance` (in points of paper, after mapping) of the whole one: Ramer, Douglas and
-/// Peucker. Pictures of refined polygons become small and lose nothing that can be seen.
-std::vector<PlotPoint> simplified(const std::vector<PlotPoint>& points, const Layout& layout, bool closed, double tolerance = 0.02);
+/// The points whose polyline stays within `tolerance` (in points of paper, after mapping) of the whole one: Ramer,
+/// Douglas and Peucker. Pictures of refined polygons become small and lose nothing that can be seen.
+std::vector<PlotPoint> simplified(const std::vector<PlotPoint>& points, const Layout& layout, bool closed,
+                                  double tolerance = 0.02);
 
 /// Legends in the order of the items, of those that have points.
 struct LegendEntry {

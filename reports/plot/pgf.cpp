@@ -13,7 +13,8 @@ std::string number(double value) { return fmt::format("{:.9g}", value + 0.0); }
 
 std::string rgb(Color c) { return fmt::format("{{rgb,255:red,{};green,{};blue,{}}}", c.red, c.green, c.blue); }
 
-/// Outside of $...$ the characters that TeX treats specially are escaped; a text with an odd number of dollars has no mathematics.
+/// Outside of $...$ the characters that TeX treats specially are escaped; a text with an odd number of dollars has no
+/// mathematics.
 std::string escaped(const std::string& text) {
   const bool has_mathematics = std::count(text.begin(), text.end(), '$') % 2 == 0;
   bool mathematics = false;
@@ -58,17 +59,21 @@ class Writer {
  public:
   Writer(const Layout& area, std::string& text) : area_(area), text_(text) {}
 
-  void operator()(const PlotCurve& curve) { add(stroke_options(curve.stroke), curve.points, curve.closed, curve.legend); }
+  void operator()(const PlotCurve& curve) {
+    add(stroke_options(curve.stroke), curve.points, curve.closed, curve.legend);
+  }
   void operator()(const PlotMarkers& markers) {
     const std::string color = rgb(markers.color);
-    const std::string options = fmt::format("only marks, mark=*, mark size={}pt, mark options={{draw={}, fill={}, line width=0pt}}",
-                                            number(markers.radius), color, color);
+    const std::string options =
+        fmt::format("only marks, mark=*, mark size={}pt, mark options={{draw={}, fill={}, line width=0pt}}",
+                    number(markers.radius), color, color);
     plot(options, markers.points, "", markers.legend);
   }
   void operator()(const PlotRegion& region) {
     bool first = true;
     for (const auto& outline : region.outlines) {
-      plot(fmt::format("fill={}, draw=none, area legend", rgb(region.fill)), outline, " -- cycle", first ? region.legend : "");
+      plot(fmt::format("fill={}, draw=none, area legend", rgb(region.fill)), outline, " -- cycle",
+           first ? region.legend : "");
       first = false;
     }
   }
@@ -78,17 +83,21 @@ class Writer {
     for (std::size_t i = 0; i < comb.feet.size(); i += std::max<std::size_t>(comb.every, 1)) {
       const PlotPoint& a = comb.feet[i];
       const PlotPoint& b = comb.tips[i];
-      text_ += fmt::format("\n    (axis cs:{},{}) -- (axis cs:{},{})", number(a.x), number(a.y), number(b.x), number(b.y));
+      text_ +=
+          fmt::format("\n    (axis cs:{},{}) -- (axis cs:{},{})", number(a.x), number(a.y), number(b.x), number(b.y));
     }
     if (!comb.feet.empty()) text_ += ";\n";
     add(stroke_options(comb.stroke), comb.tips, comb.closed, comb.legend);
   }
   void operator()(const PlotLabel& label) {
     using Anchor = PlotLabel::Anchor;
-    const char* anchor = label.anchor == Anchor::left ? "east" : label.anchor == Anchor::right ? "west" : label.anchor == Anchor::above ? "south"
-                         : label.anchor == Anchor::below ? "north" : "center";
-    labels_ += fmt::format("  \\node[anchor={}, font=\\small] at (axis cs:{},{}) {{{}}};\n", anchor, number(label.at.x), number(label.at.y),
-                           escaped(label.text));
+    const char* anchor = label.anchor == Anchor::left    ? "east"
+                         : label.anchor == Anchor::right ? "west"
+                         : label.anchor == Anchor::above ? "south"
+                         : label.anchor == Anchor::below ? "north"
+                                                         : "center";
+    labels_ += fmt::format("  \\node[anchor={}, font=\\small] at (axis cs:{},{}) {{{}}};\n", anchor, number(label.at.x),
+                           number(label.at.y), escaped(label.text));
   }
   void finish() { text_ += labels_; }
 
@@ -96,9 +105,11 @@ class Writer {
   void add(const std::string& options, const std::vector<PlotPoint>& points, bool closed, const std::string& legend) {
     plot(options, simplified(points, area_, closed), closed ? " -- cycle" : "", legend);
   }
-  void plot(const std::string& options, const std::vector<PlotPoint>& points, const std::string& end, const std::string& legend) {
+  void plot(const std::string& options, const std::vector<PlotPoint>& points, const std::string& end,
+            const std::string& legend) {
     if (points.empty()) return;
-    text_ += fmt::format("  \\addplot[{}{}] coordinates {{{}\n  }}{};\n", options, legend.empty() ? ", forget plot" : "", coordinates(points), end);
+    text_ += fmt::format("  \\addplot[{}{}] coordinates {{{}\n  }}{};\n", options,
+                         legend.empty() ? ", forget plot" : "", coordinates(points), end);
     if (!legend.empty()) text_ += fmt::format("  \\addlegendentry{{{}}}\n", escaped(legend));
   }
 
@@ -109,8 +120,9 @@ class Writer {
 
 std::string axis_options(const Plot& plot, const Layout& area) {
   const auto size = [](double points) { return decimals(points, 2); };
-  std::string text = fmt::format("  scale only axis, width={}bp, height={}bp,\n  xmin={}, xmax={}, ymin={}, ymax={},\n", size(area.width),
-                                 size(area.height), number(area.x.lower), number(area.x.upper), number(area.y.lower), number(area.y.upper));
+  std::string text = fmt::format("  scale only axis, width={}bp, height={}bp,\n  xmin={}, xmax={}, ymin={}, ymax={},\n",
+                                 size(area.width), size(area.height), number(area.x.lower), number(area.x.upper),
+                                 number(area.y.lower), number(area.y.upper));
   if (plot.x.logarithmic) text += "  xmode=log,\n";
   if (plot.y.logarithmic) text += "  ymode=log,\n";
   if (!plot.title.empty()) text += fmt::format("  title={{{}}},\n", escaped(plot.title));
@@ -124,7 +136,8 @@ std::string axis_options(const Plot& plot, const Layout& area) {
 
 std::string to_pgf(const Plot& plot) {
   const Layout area = layout(plot);
-  std::string text = "% \\usepackage{pgfplots} in the preamble, then \\input this file.\n\\begin{tikzpicture}\n\\begin{axis}[\n";
+  std::string text =
+      "% \\usepackage{pgfplots} in the preamble, then \\input this file.\n\\begin{tikzpicture}\n\\begin{axis}[\n";
   text += axis_options(plot, area);
   text += "  tick align=outside, tick pos=left,\n  legend pos=outer north east, legend cell align=left,\n]\n";
   Writer writer(area, text);

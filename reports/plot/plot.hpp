@@ -69,8 +69,8 @@ struct PlotComb {
   std::string legend = {};
 };
 
-/// A text beside a point. Texts may contain $...$, which PGF sets as mathematics; SVG and PNG show it as plain text with names
-/// of Greek letters replaced (SVG) or spelled (PNG).
+/// A text beside a point. Texts may contain $...$, which PGF sets as mathematics; SVG and PNG show it as plain text
+/// with names of Greek letters replaced (SVG) or spelled (PNG).
 struct PlotLabel {
   enum class Anchor { left, centre, right, above, below };
   PlotPoint at;
@@ -88,8 +88,8 @@ struct PlotAxis {
   bool logarithmic = false;
 };
 
-/// A picture as a value: what is drawn, in this order. Three writers make the same picture of it; equal plots give equal bytes
-/// (no clock, no locale, numbers of fixed precision).
+/// A picture as a value: what is drawn, in this order. Three writers make the same picture of it; equal plots give
+/// equal bytes (no clock, no locale, numbers of fixed precision).
 struct Plot {
   std::string title;
   PlotAxis x, y;
@@ -98,13 +98,14 @@ struct Plot {
   bool frame = true;
   /// The same unit on both axes. Only for two linear axes.
   bool equal_aspect = false;
-  /// Greatest size of the area inside the frame, in points (1/72 inch); with equal_aspect one of the two becomes smaller.
+  /// Greatest size of the area inside the frame, in points (1/72 inch); with equal_aspect one of the two becomes
+  /// smaller.
   double width = 400, height = 300;
 };
 
-/// All writers throw DomainError when a point or an end of an axis is not finite, or not positive on a logarithmic axis; when
-/// an axis is empty (lower >= upper); when a comb has more feet than tips or the other way round; when equal_aspect meets a
-/// logarithmic axis; when the size is not between 10 and 10000 points.
+/// All writers throw DomainError when a point or an end of an axis is not finite, or not positive on a logarithmic
+/// axis; when an axis is empty (lower >= upper); when a comb has more feet than tips or the other way round; when
+/// equal_aspect meets a logarithmic axis; when the size is not between 10 and 10000 points.
 
 /// A stand-alone SVG file.
 std::string to_svg(const Plot& plot);
@@ -112,8 +113,8 @@ std::string to_svg(const Plot& plot);
 /// A tikzpicture for an article that says \usepackage{pgfplots}; it is \input there.
 std::string to_pgf(const Plot& plot);
 
-/// The bytes of a PNG file with `pixels_per_point` pixels per point (2: 144 dpi), antialiased. \throws LimitError above 2^23
-/// pixels.
+/// The bytes of a PNG file with `pixels_per_point` pixels per point (2: 144 dpi), antialiased. \throws LimitError above
+/// 2^23 pixels.
 std::string to_png(const Plot& plot, double pixels_per_point = 2);
 
 }  // namespace limes

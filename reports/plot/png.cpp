@@ -12,8 +12,8 @@ namespace {
 
 using namespace plot_impl;
 
-/// Samples per pixel in each direction. Shapes have hard edges on the finer grid, so neighbouring cells leave no seam, and the
-/// mean over each pixel smooths all edges alike.
+/// Samples per pixel in each direction. Shapes have hard edges on the finer grid, so neighbouring cells leave no seam,
+/// and the mean over each pixel smooths all edges alike.
 constexpr int samples = 4;
 constexpr double max_pixels = 1 << 23;
 
@@ -43,7 +43,8 @@ class PngCanvas : public Canvas {
     std::vector<PlotPoint> all = points;
     if (closed && !all.empty()) all.push_back(all.front());
     if (stroke.dash == Dash::solid) return line(all, stroke);
-    for (const auto& dash : dashes(all, stroke.dash == Dash::dashed ? 5 : 1, stroke.dash == Dash::dashed ? 3 : 2.5)) line(dash, stroke);
+    for (const auto& dash : dashes(all, stroke.dash == Dash::dashed ? 5 : 1, stroke.dash == Dash::dashed ? 3 : 2.5))
+      line(dash, stroke);
   }
   void segments(const std::vector<PlotPoint>& ends, const Stroke& stroke) override {
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) line({ends[i], ends[i + 1]}, stroke);
@@ -59,7 +60,8 @@ class PngCanvas : public Canvas {
     const double width = text_width(plain, size);
     const double start = align == TextAlign::start ? 0 : align == TextAlign::middle ? -width / 2 : -width;
     for (std::vector<PlotPoint> points : text_strokes(plain, size)) {
-      for (PlotPoint& p : points) p = upwards ? PlotPoint{at.x + p.y, at.y - start - p.x} : PlotPoint{at.x + start + p.x, at.y + p.y};
+      for (PlotPoint& p : points)
+        p = upwards ? PlotPoint{at.x + p.y, at.y - start - p.x} : PlotPoint{at.x + start + p.x, at.y + p.y};
       line(points, {{40, 40, 40}, 0.085 * size, Dash::solid});
     }
   }
@@ -101,7 +103,9 @@ class PngCanvas : public Canvas {
  private:
   /// The first sample whose centre is not left of x; so spans of neighbouring shapes neither overlap nor leave a gap.
   static int column(double x) { return static_cast<int>(std::ceil(std::clamp(x, -1e8, 1e8) - 0.5)); }
-  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x); }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
 
   void span(int y, double from, double to, Color color) {
     const int first = std::max(column(from), left_), last = std::min(column(to), right_);
@@ -130,7 +134,8 @@ class PngCanvas : public Canvas {
     }
     std::sort(crossings_.begin(), crossings_.end());
     for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
-      if (crossings_[i].first == crossings_[i + 1].first) span(crossings_[i].first, crossings_[i].second, crossings_[i + 1].second, color);
+      if (crossings_[i].first == crossings_[i + 1].first)
+        span(crossings_[i].first, crossings_[i].second, crossings_[i + 1].second, color);
     }
   }
 
@@ -164,8 +169,10 @@ class PngCanvas : public Canvas {
       while (length - done > left) {
         done += left;
         const PlotPoint at{a.x + (b.x - a.x) * done / length, a.y + (b.y - a.y) * done / length};
-        if (drawing) result.back().push_back(at);
-        else result.push_back({at});
+        if (drawing)
+          result.back().push_back(at);
+        else
+          result.push_back({at});
         drawing = !drawing;
         left = drawing ? on : off;
       }

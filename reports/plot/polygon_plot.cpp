@@ -22,14 +22,19 @@ std::vector<PlotPoint> first_two(const std::vector<double>& coordinates, int dim
 }  // namespace
 
 Plot polygon_plot(const Polygon& data, const Polygon& refined, const PolygonPlotOptions& options) {
-  if (data.dimension() < 2 || refined.dimension() < 2) throw DomainError("a picture needs points with at least two coordinates");
+  if (data.dimension() < 2 || refined.dimension() < 2)
+    throw DomainError("a picture needs points with at least two coordinates");
   const std::vector<PlotPoint> vertices = first_two(data.coordinates(), data.dimension());
   const std::vector<PlotPoint> curve = first_two(refined.coordinates(), refined.dimension());
   Plot plot{.title = options.title, .x = {}, .y = {}, .items = {}, .equal_aspect = true};
   plot.items.push_back(PlotCurve{vertices, {grey, 0.75, Dash::dashed}, data.closed()});
   if (options.comb) {
     const std::vector<PlotPoint> tips = first_two(curvature_comb(refined, *options.comb), refined.dimension());
-    plot.items.push_back(PlotComb{curve, tips, {palette(2), 0.75, Dash::solid}, refined.closed(), std::max<std::size_t>(1, curve.size() / most_teeth)});
+    plot.items.push_back(PlotComb{curve,
+                                  tips,
+                                  {palette(2), 0.75, Dash::solid},
+                                  refined.closed(),
+                                  std::max<std::size_t>(1, curve.size() / most_teeth)});
   }
   plot.items.push_back(PlotCurve{curve, {palette(1), 1.5, Dash::solid}, refined.closed()});
   plot.items.push_back(PlotMarkers{vertices, palette(0), 2});

@@ -11,8 +11,9 @@ struct PolygonPlotOptions {
   std::optional<double> comb;
 };
 
-/// The picture of a refined polygon: the data as a grey polygon with markers, the refined polygon as a curve, its curvature comb.
-/// Points of more than two dimensions are shown by their first two coordinates (the comb is made before).
+/// The picture of a refined polygon: the data as a grey polygon with markers, the refined polygon as a curve, its
+/// curvature comb. Points of more than two dimensions are shown by their first two coordinates (the comb is made
+/// before).
 /// \throws DomainError for points of dimension 1.
 Plot polygon_plot(const Polygon& data, const Polygon& refined, const PolygonPlotOptions& options);
 

@@ -17,11 +17,20 @@ std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: if (static_cast<unsigned char>(c) >= 0x20) result += c;  // XML has no control characters
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20) result += c;  // XML has no control characters
     }
   }
   return result;
@@ -29,7 +38,8 @@ std::string escaped(const std::string& text) {
 
 std::string path(const std::vector<PlotPoint>& points, bool closed) {
   std::string data;
-  for (std::size_t i = 0; i < points.size(); ++i) data += fmt::format("{}{} {}", i == 0 ? "M" : "L", number(points[i].x), number(points[i].y));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    data += fmt::format("{}{} {}", i == 0 ? "M" : "L", number(points[i].x), number(points[i].y));
   return closed ? data + "Z" : data;
 }
 
@@ -44,8 +54,10 @@ class SvgCanvas : public Canvas {
   std::string finished() && { return std::move(text_) + "</svg>\n"; }
 
   void clip(double x, double y, double width, double height) override {
-    text_ += fmt::format("<clipPath id=\"area\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n<g clip-path=\"url(#area)\">\n",
-                         number(x), number(y), number(width), number(height));
+    text_ += fmt::format(
+        "<clipPath id=\"area\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n<g "
+        "clip-path=\"url(#area)\">\n",
+        number(x), number(y), number(width), number(height));
   }
   void unclip() override { text_ += "</g>\n"; }
   void polyline(const std::vector<PlotPoint>& points, bool closed, const Stroke& stroke) override {
@@ -64,14 +76,16 @@ class SvgCanvas : public Canvas {
   }
   void discs(const std::vector<PlotPoint>& centres, double radius, Color color) override {
     text_ += fmt::format("<g fill=\"{}\">", hexadecimal(color));
-    for (const PlotPoint& c : centres) text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", number(c.x), number(c.y), number(radius));
+    for (const PlotPoint& c : centres)
+      text_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", number(c.x), number(c.y), number(radius));
     text_ += "</g>\n";
   }
   void text(PlotPoint at, const std::string& text, double size, TextAlign align, bool upwards) override {
     const char* anchor = align == TextAlign::start ? "start" : align == TextAlign::middle ? "middle" : "end";
     const std::string turn = upwards ? fmt::format(" transform=\"rotate(-90 {} {})\"", number(at.x), number(at.y)) : "";
-    text_ += fmt::format("<text x=\"{}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
-                         number(at.x), number(at.y), number(size), anchor, turn, escaped(plain_text(text, true)));
+    text_ += fmt::format(
+        "<text x=\"{}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
+        number(at.x), number(at.y), number(size), anchor, turn, escaped(plain_text(text, true)));
   }
 
  private:
@@ -79,8 +93,9 @@ class SvgCanvas : public Canvas {
     const std::string dashes = stroke.dash == Dash::dashed   ? " stroke-dasharray=\"5 3\""
                                : stroke.dash == Dash::dotted ? " stroke-dasharray=\"1 2.5\""
                                                              : "";
-    text_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{}/>\n", data,
-                         hexadecimal(stroke.color), number(stroke.width), dashes);
+    text_ +=
+        fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"{}/>\n",
+                    data, hexadecimal(stroke.color), number(stroke.width), dashes);
   }
   std::string text_;
 };

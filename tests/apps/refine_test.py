@@ -55,7 +55,8 @@ class Refine(unittest.TestCase):
         knots = [0, 1, 1.25, 4, 6, 6.5, 9, 10, 12, 12.5, 14]
         self.write("knots.txt", "# own knots\n" + "".join(f"{t}\n" for t in knots))
         self.write("line.csv", "".join(f"{t},{3 - 2 * t}\n" for t in knots))
-        for scheme, parameter in (("cr1", "w=1/16"), ("cr2", "w=1/96"), ("a2-5-3", "w=3/256"), ("ten-point-nonuniform", "w=1/1000")):
+        for scheme, parameter in (("cr1", "w=1/16"), ("cr2", "w=1/96"), ("a2-5-3", "w=3/256"), ("ten-point-nonuniform",
+                                                                                                "w=1/1000")):
             points = self.refined(scheme, "line.csv", "--param", parameter, "--levels", 4, "--knots", "knots.txt")
             self.assertEqual(len(points), 161)
             for i, (x, y) in enumerate(points):
@@ -66,8 +67,10 @@ class Refine(unittest.TestCase):
     def test_spacings_differ_and_centripetal_is_the_default(self):
         results = {}
         for knots in ("uniform", "chordal", "centripetal"):
-            results[knots] = self.refined("cr2", EXAMPLES / "beetle.csv", "--closed", "--param", "w=1/96", "--knots", knots)
-        self.assertEqual(results["centripetal"], self.refined("cr2", EXAMPLES / "beetle.csv", "--closed", "--param", "w=1/96"))
+            results[knots] = self.refined("cr2", EXAMPLES / "beetle.csv", "--closed", "--param", "w=1/96", "--knots",
+                                          knots)
+        self.assertEqual(results["centripetal"], self.refined("cr2", EXAMPLES / "beetle.csv", "--closed", "--param",
+                                                              "w=1/96"))
         self.assertNotEqual(results["uniform"], results["chordal"])
         self.assertNotEqual(results["centripetal"], results["chordal"])
         # Over equal intervals a non-uniform scheme is its uniform one.
@@ -102,7 +105,8 @@ class Refine(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         self.assertEqual(json.loads(run.stdout), {"outputs": [{"file": name, "kind": name[4:]} for name in outputs]})
         first = {name: (self.dir / name).read_bytes() for name in outputs}
-        self.assertTrue(first["out.svg"].startswith(b"<svg") and b"cr2, w = 1/96, centripetal knots" in first["out.svg"])
+        self.assertTrue(first["out.svg"].startswith(b"<svg"))
+        self.assertIn(b"cr2, w = 1/96, centripetal knots", first["out.svg"])
         self.assertIn(b"\\begin{tikzpicture}", first["out.pgf"])
         self.assertTrue(first["out.png"].startswith(b"\x89PNG"))
         self.refine(*arguments, "--threads", "1")
@@ -115,7 +119,8 @@ class Refine(unittest.TestCase):
     def test_points_in_space(self):
         points = self.refined("four-point", EXAMPLES / "helix.csv", "--param", "w=1/16")
         self.assertTrue(all(len(p) == 3 for p in points))
-        self.assertEqual(self.refine("four-point", EXAMPLES / "helix.csv", "--param", "w=1/16", "--comb", "1", "-o", "a.svg").returncode, 0)
+        self.assertEqual(self.refine("four-point", EXAMPLES / "helix.csv", "--param", "w=1/16", "--comb", "1", "-o",
+                                     "a.svg").returncode, 0)
 
     def test_bad_points(self):
         def bad(text, *parts, arguments=("four-point", "bad.csv", "--param", "w=1/16")):
@@ -138,21 +143,26 @@ class Refine(unittest.TestCase):
         bad("0,0\n1,1\n2,0\n1,-1\n0,0\n", "bad.csv:1: the same point as on line 5", "names its first point once",
             arguments=("cr1", "bad.csv", "--param", "w=1/16", "--closed"))
         self.write("bad.csv", repeated)
-        self.assertEqual(self.refine("cr1", "bad.csv", "--param", "w=1/16", "--knots", "uniform", "-o", "out.csv").returncode, 0)
-        self.assert_bad_input(self.refine("four-point", "missing.csv", "--param", "w=1/16", "-o", "out.csv"), "missing.csv", "cannot read")
+        self.assertEqual(self.refine("cr1", "bad.csv", "--param", "w=1/16", "--knots", "uniform", "-o",
+                                     "out.csv").returncode, 0)
+        self.assert_bad_input(self.refine("four-point", "missing.csv", "--param", "w=1/16", "-o", "out.csv"),
+                              "missing.csv", "cannot read")
 
     def test_bad_knots(self):
         self.write("line.csv", LINE)
 
         def bad(text, *parts):
             self.write("knots.csv", text)
-            self.assert_bad_input(self.refine("cr1", "line.csv", "--param", "w=1/16", "--knots", "knots.csv", "-o", "out.csv"), *parts)
+            self.assert_bad_input(self.refine("cr1", "line.csv", "--param", "w=1/16", "--knots", "knots.csv", "-o",
+                                              "out.csv"), *parts)
         bad("0\n1\n2\n2\n3\n4\n5\n6\n", "knots.csv:4: knots must increase strictly")
         bad("0\n1\n2\n1.5\n3\n4\n5\n6\n", "knots.csv:4: knots must increase strictly")
         bad("0\n1\n2\n", "knots.csv: 3 knots", "needs 8")
         bad("0\n1\nnan\n", "knots.csv:3", "'nan' is not a finite number")
-        self.assert_bad_input(self.refine("cr1", "line.csv", "--param", "w=1/16", "--knots", "chordial", "-o", "out.csv"), "chordial")
-        self.assert_bad_input(self.refine("four-point", "line.csv", "--param", "w=1/16", "--knots", "chordal", "-o", "out.csv"), "uniform scheme")
+        self.assert_bad_input(self.refine("cr1", "line.csv", "--param", "w=1/16", "--knots", "chordial", "-o",
+                                          "out.csv"), "chordial")
+        self.assert_bad_input(self.refine("four-point", "line.csv", "--param", "w=1/16", "--knots", "chordal", "-o",
+                                          "out.csv"), "uniform scheme")
 
     def test_bad_options(self):
         self.write("line.csv", LINE)
@@ -161,11 +171,14 @@ class Refine(unittest.TestCase):
         self.assert_bad_input(self.refine(*good), "--output")
         self.assert_bad_input(self.refine(*good, "-o", "out.pdf"), "out.pdf", ".csv, .svg, .pgf or .png")
         self.assert_bad_input(self.refine(*good, "-o", "nowhere/out.csv"), "nowhere/out.csv")
-        self.assert_bad_input(self.refine(*good, "-o", "out.csv", "--levels", "25"), "25 levels are too many", "at most 19 levels")
+        self.assert_bad_input(self.refine(*good, "-o", "out.csv", "--levels", "25"), "25 levels are too many",
+                              "at most 19 levels")
         self.assert_bad_input(self.refine(*good, "-o", "out.csv", "--levels", "-1"))
         self.assert_bad_input(self.refine("four-point", "line.csv", "-o", "out.csv"), "--param w=")
-        self.assert_bad_input(self.refine("four-point", "line.csv", "--param", "w=[0,1/8]", "-o", "out.csv"), "--param w=")
-        self.assert_bad_input(self.refine("four-point", "numbers.csv", "--param", "w=1/16", "-o", "out.svg"), "two coordinates")
+        self.assert_bad_input(self.refine("four-point", "line.csv", "--param", "w=[0,1/8]", "-o", "out.csv"),
+                              "--param w=")
+        self.assert_bad_input(self.refine("four-point", "numbers.csv", "--param", "w=1/16", "-o", "out.svg"),
+                              "two coordinates")
         self.assert_bad_input(self.refine(*good, "-o", "out.svg", "--comb", "nan"))
         self.assert_bad_input(self.refine("no-such-scheme", "line.csv", "-o", "out.csv"), "no-such-scheme")
 

@@ -57,7 +57,8 @@ TEST(Curvature, VanishesOnLinesAndWhereThereIsNoCircle) {
 TEST(Curvature, CombPointsOutwards) {
   const Polygon polygon = circle(2, true);
   const std::vector<double> tips = curvature_comb(polygon, 4);  // teeth of length 4/2 on a circle of radius 2
-  for (std::size_t i = 0; i < polygon.size(); ++i) EXPECT_NEAR(std::hypot(tips[2 * i] - 3, tips[2 * i + 1] + 1), 4, 1e-10);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    EXPECT_NEAR(std::hypot(tips[2 * i] - 3, tips[2 * i + 1] + 1), 4, 1e-10);
   EXPECT_THROW(curvature_comb(polygon, 1e308 * 10), DomainError);
 }
 

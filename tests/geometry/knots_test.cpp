@@ -26,7 +26,8 @@ TEST(Knots, ScalingTheDataScalesTheKnots) {
   const Polygon polygon = test::random_polygon(3, 20, true, 7);
   std::vector<double> larger = polygon.coordinates();
   for (double& x : larger) x *= 16;
-  for (const auto& [spacing, factor] : {std::pair(KnotSpacing::chordal, 16.0), std::pair(KnotSpacing::centripetal, 4.0)}) {
+  for (const auto& [spacing, factor] :
+       {std::pair(KnotSpacing::chordal, 16.0), std::pair(KnotSpacing::centripetal, 4.0)}) {
     std::vector<double> expected = spaced_knots(polygon, spacing);
     for (double& t : expected) t *= factor;
     EXPECT_LT(test::gap(spaced_knots(Polygon(3, larger, true), spacing), expected), 1e-12);

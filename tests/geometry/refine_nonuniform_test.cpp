@@ -41,13 +41,15 @@ TEST(RefineNonuniform, CommutesWithAffineMapsOfPointsAndOfKnots) {
     for (const EndRule ends : {EndRule::extend, EndRule::shrink}) {
       const Polygon polygon = random_data(14, closed, 1);
       const Polygon refined = refine_polygon(polygon, lagrange(4), {3, ends});
-      EXPECT_LT(test::gap(refine_polygon(test::mapped(polygon), lagrange(4), {3, ends}).coordinates(), test::mapped(refined).coordinates()),
+      EXPECT_LT(test::gap(refine_polygon(test::mapped(polygon), lagrange(4), {3, ends}).coordinates(),
+                          test::mapped(refined).coordinates()),
                 1e-12);
       std::vector<double> knots = polygon.knots();
       for (double& t : knots) t = 1000 * t + 77;
       const Polygon moved = refine_polygon(polygon.with_knots(knots), lagrange(4), {3, ends});
       EXPECT_LT(test::gap(moved.coordinates(), refined.coordinates()), 1e-9);
-      for (std::size_t i = 0; i < moved.knots().size(); ++i) EXPECT_NEAR(moved.knots()[i], 1000 * refined.knots()[i] + 77, 1e-9);
+      for (std::size_t i = 0; i < moved.knots().size(); ++i)
+        EXPECT_NEAR(moved.knots()[i], 1000 * refined.knots()[i] + 77, 1e-9);
     }
   }
 }
@@ -116,13 +118,15 @@ TEST(RefineNonuniform, ReproducesPolynomialsInside) {
 
 TEST(RefineNonuniform, EqualIntervalsGiveTheUniformScheme) {
   const Rational s = Rational(1) / 16;
-  const UniformRule uniform = approx_uniform_rule({2, LaurentPolynomial::from_rationals(-3, {-s, 0, 9 * s, 1, 9 * s, 0, -s})}, {});
+  const UniformRule uniform =
+      approx_uniform_rule({2, LaurentPolynomial::from_rationals(-3, {-s, 0, 9 * s, 1, 9 * s, 0, -s})}, {});
   for (const bool closed : {false, true}) {
     const Polygon polygon = test::random_polygon(2, 12, closed, 6);
     for (const EndRule ends : {EndRule::extend, EndRule::shrink}) {
       const Polygon spaced = polygon.with_knots(spaced_knots(polygon, KnotSpacing::uniform));
       EXPECT_LT(test::gap(refine_polygon(spaced, lagrange(4), {4, ends}).coordinates(),
-                          refine_polygon(polygon, uniform, {4, ends}).coordinates()), 1e-13);
+                          refine_polygon(polygon, uniform, {4, ends}).coordinates()),
+                1e-13);
     }
   }
 }
@@ -132,9 +136,11 @@ TEST(RefineNonuniform, UsesTheInsertionRulesOfSchemes) {
   const Polygon polygon = random_data(10, false, 7);
   const std::vector<Rational> sixteenth{Rational(1) / 16}, zero{0};
   EXPECT_LT(test::gap(refine_polygon(polygon, approx_nonuniform_rule(cubic, sixteenth), {3}).coordinates(),
-                      refine_polygon(polygon, lagrange(4), {3}).coordinates()), 1e-12);
+                      refine_polygon(polygon, lagrange(4), {3}).coordinates()),
+            1e-12);
   EXPECT_GT(test::gap(refine_polygon(polygon, approx_nonuniform_rule(cubic, zero), {3}).coordinates(),
-                      refine_polygon(polygon, lagrange(4), {3}).coordinates()), 1e-3);
+                      refine_polygon(polygon, lagrange(4), {3}).coordinates()),
+            1e-3);
 }
 
 TEST(RefineNonuniform, AsksForFewStencils) {
@@ -152,8 +158,10 @@ TEST(RefineNonuniform, BadInputIsRejected) {
   EXPECT_THROW(refine_polygon(random_data(5, false, 1), lagrange(6), {1}), InputError);
   EXPECT_NO_THROW(refine_polygon(random_data(6, false, 1), lagrange(6), {1}));
   EXPECT_THROW(refine_polygon(random_data(9, false, 1), lagrange(4), {30}), LimitError);
-  EXPECT_THROW(refine_polygon(Polygon(1, {0, 1, 2, 3}, false, {0, 1e-300, 1e300, 2e300}), lagrange(4), {1}), InputError);
-  EXPECT_THROW(refine_polygon(Polygon(1, {0, 1, 2, 3}, false, {1, 1.0000000000000002, 2, 3}), lagrange(4), {3}), DomainError);
+  EXPECT_THROW(refine_polygon(Polygon(1, {0, 1, 2, 3}, false, {0, 1e-300, 1e300, 2e300}), lagrange(4), {1}),
+               InputError);
+  EXPECT_THROW(refine_polygon(Polygon(1, {0, 1, 2, 3}, false, {1, 1.0000000000000002, 2, 3}), lagrange(4), {3}),
+               DomainError);
   const std::atomic<bool> stopped{true};
   EXPECT_THROW(refine_polygon(random_data(9, false, 1), lagrange(4), {3}, Stop(&stopped)), Interrupted);
 }

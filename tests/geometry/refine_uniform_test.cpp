@@ -20,18 +20,21 @@ const UniformRule cubic_spline = rule(-2, {over(1, 8), over(1, 2), over(3, 4), o
 const UniformRule four_point = rule(-3, {over(-1, 16), 0, over(9, 16), 1, over(9, 16), 0, over(-1, 16)});
 /// The same four-point scheme with indices far from the middle: only places may differ, not points.
 const UniformRule shifted_four_point = rule(40, {over(-1, 16), 0, over(9, 16), 1, over(9, 16), 0, over(-1, 16)});
-const UniformRule dual_four_point = rule(-4, {over(-5, 128), over(-7, 128), over(35, 128), over(105, 128), over(105, 128), over(35, 128),
-                                              over(-7, 128), over(-5, 128)});
+const UniformRule dual_four_point = rule(-4, {over(-5, 128), over(-7, 128), over(35, 128), over(105, 128),
+                                              over(105, 128), over(35, 128), over(-7, 128), over(-5, 128)});
 /// Interpolatory of arity 3 [Hassan, Ivrissimtzis, Dodgson & Sabin 2002], mu = 1/11.
 const UniformRule ternary = [] {
-  const Rational mu = over(1, 11), a = -over(1, 18) - mu / 6, b = over(13, 18) + mu / 2, c = over(7, 18) - mu / 2, d = mu / 6 - over(1, 18);
+  const Rational mu = over(1, 11), a = -over(1, 18) - mu / 6, b = over(13, 18) + mu / 2, c = over(7, 18) - mu / 2,
+                 d = mu / 6 - over(1, 18);
   return rule(-5, {d, a, 0, c, b, 1, b, c, 0, a, d}, 3);
 }();
-const std::vector<UniformRule> all_rules{chaikin, cubic_spline, four_point, shifted_four_point, dual_four_point, ternary};
+const std::vector<UniformRule> all_rules{chaikin,         cubic_spline, four_point, shifted_four_point,
+                                         dual_four_point, ternary};
 
 Polygon reversed(const Polygon& polygon) {
   std::vector<double> coordinates;
-  for (std::size_t i = polygon.size(); i-- > 0;) coordinates.insert(coordinates.end(), polygon[i].begin(), polygon[i].end());
+  for (std::size_t i = polygon.size(); i-- > 0;)
+    coordinates.insert(coordinates.end(), polygon[i].begin(), polygon[i].end());
   return {polygon.dimension(), coordinates, polygon.closed()};
 }
 
@@ -39,7 +42,8 @@ Polygon reversed(const Polygon& polygon) {
 bool is_part(const Polygon& part, const Polygon& whole) {
   for (std::size_t k = 0; k + part.size() <= whole.size(); ++k) {
     const auto first = whole.coordinates().begin() + static_cast<std::ptrdiff_t>(k) * whole.dimension();
-    if (test::gap({first, first + static_cast<std::ptrdiff_t>(part.coordinates().size())}, part.coordinates()) < 1e-13) return true;
+    if (test::gap({first, first + static_cast<std::ptrdiff_t>(part.coordinates().size())}, part.coordinates()) < 1e-13)
+      return true;
   }
   return false;
 }
@@ -51,7 +55,8 @@ TEST(RefineUniform, CommutesWithAffineMaps) {
         const Polygon polygon = test::random_polygon(2, 15, closed, 1);
         const Refinement twice{2, ends};
         EXPECT_LT(test::gap(refine_polygon(test::mapped(polygon), r, twice).coordinates(),
-                            test::mapped(refine_polygon(polygon, r, twice)).coordinates()), 1e-13);
+                            test::mapped(refine_polygon(polygon, r, twice)).coordinates()),
+                  1e-13);
       }
     }
   }
@@ -90,7 +95,8 @@ TEST(RefineUniform, OneLevelTwiceIsTwoLevels) {
     for (const bool closed : {false, true}) {
       const Polygon polygon = test::random_polygon(2, 15, closed, 4);
       const Refinement once{1, EndRule::shrink}, twice{2, EndRule::shrink};
-      EXPECT_EQ(refine_polygon(refine_polygon(polygon, r, once), r, once).coordinates(), refine_polygon(polygon, r, twice).coordinates());
+      EXPECT_EQ(refine_polygon(refine_polygon(polygon, r, once), r, once).coordinates(),
+                refine_polygon(polygon, r, twice).coordinates());
       EXPECT_EQ(refine_polygon(polygon, r, {0}).coordinates(), polygon.coordinates());
     }
   }
@@ -123,7 +129,8 @@ TEST(RefineUniform, SymmetricSchemesCommuteWithReversal) {
     for (const EndRule ends : {EndRule::automatic, EndRule::extend, EndRule::shrink}) {
       const Polygon polygon = test::random_polygon(2, 12, false, 5);
       EXPECT_LT(test::gap(refine_polygon(reversed(polygon), r, {3, ends}).coordinates(),
-                          reversed(refine_polygon(polygon, r, {3, ends})).coordinates()), 1e-13);
+                          reversed(refine_polygon(polygon, r, {3, ends})).coordinates()),
+                1e-13);
     }
   }
 }
@@ -157,7 +164,9 @@ TEST(RefineUniform, CubicBSplinesConvergeToTheCurveAtSecondOrder) {
     const auto i = static_cast<std::size_t>(t);
     const double u = t - static_cast<double>(i), v = 1 - u;
     const auto p = [&](std::size_t j) { return polygon[(i + j + polygon.size() - 1) % polygon.size()][k]; };
-    return (v * v * v * p(0) + (3 * u * u * u - 6 * u * u + 4) * p(1) + (3 * v * v * v - 6 * v * v + 4) * p(2) + u * u * u * p(3)) / 6;
+    return (v * v * v * p(0) + (3 * u * u * u - 6 * u * u + 4) * p(1) + (3 * v * v * v - 6 * v * v + 4) * p(2) +
+            u * u * u * p(3)) /
+           6;
   };
   double before = 0;
   for (int levels = 2; levels <= 8; ++levels) {
@@ -195,7 +204,8 @@ TEST(RefineUniform, BadInputIsRejected) {
   EXPECT_THROW(refine_polygon(test::random_polygon(2, 2, true, 1), four_point, {1}), InputError);
   EXPECT_THROW(refine_polygon(test::random_polygon(2, 4, true, 1), four_point, {21}), LimitError);
   EXPECT_EQ(refine_polygon(test::random_polygon(1, 4, true, 1), four_point, {8}).size(), 1024u);
-  EXPECT_THROW(refine_polygon(test::random_polygon(1, 4, true, 1), four_point, {8, EndRule::automatic, 1023}), LimitError);
+  EXPECT_THROW(refine_polygon(test::random_polygon(1, 4, true, 1), four_point, {8, EndRule::automatic, 1023}),
+               LimitError);
   // Three points of a cubic spline shrink to three points at each level.
   EXPECT_EQ(refine_polygon(test::random_polygon(2, 3, false, 1), cubic_spline, {20}).size(), 3u);
   EXPECT_THROW(refine_polygon(test::random_polygon(2, 3, false, 1), cubic_spline, {1000}), LimitError);

@@ -31,7 +31,8 @@ TEST(Csv, ReadsRowsOfNumbers) {
 
 TEST(Csv, PointsAreReadBackBitByBit) {
   std::vector<double> coordinates = test::random_polygon(3, 200, false, 11).coordinates();
-  for (std::size_t k = 0; k < coordinates.size(); ++k) coordinates[k] = std::ldexp(coordinates[k], static_cast<int>(k % 600) - 300);
+  for (std::size_t k = 0; k < coordinates.size(); ++k)
+    coordinates[k] = std::ldexp(coordinates[k], static_cast<int>(k % 600) - 300);
   coordinates.insert(coordinates.end(), {1.7976931348623157e308, 2.2250738585072014e-308, -0.0});
   EXPECT_EQ(read_csv(to_csv(Polygon(3, coordinates)), "data.csv").values, coordinates);
   EXPECT_EQ(to_csv(Polygon(2, {-0.0, 0.1, 1, 2})), "0,0.1\n1,2\n");
@@ -76,7 +77,8 @@ TEST(Csv, KnotsMustFitThePolygon) {
   EXPECT_EQ(error("0\n2\n1\n", open), "knots.csv:3: knots must increase strictly, but 1 follows 2");
   EXPECT_EQ(error("0,1\n1,2\n2,3\n", open), "knots.csv:1: 2 columns, but knots are one number a line");
   EXPECT_EQ(error("0\n1\n", open), "knots.csv: 2 knots, but the open polygon of 3 points needs 3");
-  EXPECT_EQ(error("0\n1\n2\n", closed), "knots.csv: 3 knots, but the closed polygon of 3 points needs 4 (the last one ends the period)");
+  EXPECT_EQ(error("0\n1\n2\n", closed),
+            "knots.csv: 3 knots, but the closed polygon of 3 points needs 4 (the last one ends the period)");
 }
 
 }  // namespace

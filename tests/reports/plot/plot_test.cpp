@@ -23,7 +23,8 @@ Plot example() {
   Plot plot{.title = "Title & <more> of $\\gamma$ 100%", .x = {"x_1"}, .y = {"y"}, .items = {}};
   plot.items.push_back(PlotRegion{{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, lighter(palette(3), 0.4), "cell"});
   plot.items.push_back(PlotCurve{{{0, 0}, {0.5, 1}, {1, 0.25}}, {palette(1), 1.5, Dash::dashed}, false, "curve"});
-  plot.items.push_back(PlotComb{{{0, 0}, {1, 0}}, {{0, 0.5}, {1, 0.25}}, {palette(2), 1, Dash::solid}, false, 1, "comb"});
+  plot.items.push_back(
+      PlotComb{{{0, 0}, {1, 0}}, {{0, 0.5}, {1, 0.25}}, {palette(2), 1, Dash::solid}, false, 1, "comb"});
   plot.items.push_back(PlotMarkers{{{0.5, 0.5}}, palette(0), 3, "points"});
   plot.items.push_back(PlotLabel{{0.5, 0.5}, "here"});
   return plot;
@@ -33,7 +34,8 @@ struct Picture {
   int width = 0, height = 0;
   std::vector<Color> pixels;
   Color at(double x, double y) const {
-    return pixels[static_cast<std::size_t>(y * height) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x * width)];
+    return pixels[static_cast<std::size_t>(y * height) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(x * width)];
   }
 };
 
@@ -66,7 +68,8 @@ TEST(Plot, EqualPlotsGiveEqualBytesInEveryLocale) {
 TEST(Plot, SvgHasEveryItemAndEscapesTexts) {
   const std::string svg = to_svg(example());
   EXPECT_THAT(svg, HasSubstr("Title &amp; &lt;more&gt; of γ 100%"));
-  for (const char* part : {">cell<", ">curve<", ">comb<", ">points<", ">here<", ">x_1<", "stroke-dasharray", "<circle"}) {
+  for (const char* part :
+       {">cell<", ">curve<", ">comb<", ">points<", ">here<", ">x_1<", "stroke-dasharray", "<circle"}) {
     EXPECT_THAT(svg, HasSubstr(part));
   }
   EXPECT_EQ(count(svg, "<g"), count(svg, "</g>"));
@@ -78,7 +81,8 @@ TEST(Plot, PgfHasEveryItemAndEscapesTexts) {
   const std::string pgf = to_pgf(example());
   EXPECT_THAT(pgf, HasSubstr("title={Title \\& \\textless{}more\\textgreater{} of $\\gamma$ 100\\%}"));
   EXPECT_THAT(pgf, HasSubstr("xlabel={x\\_1}"));
-  for (const char* part : {"\\addlegendentry{cell}", "\\addlegendentry{curve}", "\\addlegendentry{comb}", "only marks", "{here}", "dashed"}) {
+  for (const char* part : {"\\addlegendentry{cell}", "\\addlegendentry{curve}", "\\addlegendentry{comb}", "only marks",
+                           "{here}", "dashed"}) {
     EXPECT_THAT(pgf, HasSubstr(part));
   }
   EXPECT_EQ(count(pgf, "{"), count(pgf, "}"));
@@ -87,7 +91,13 @@ TEST(Plot, PgfHasEveryItemAndEscapesTexts) {
 
 TEST(Plot, PngShowsRegionsWithoutSeams) {
   // Cells of one colour side by side, cut at places that are no pixels: the inside has that colour everywhere.
-  Plot plot{.title = {}, .x = {.lower = 0, .upper = 1}, .y = {.lower = 0, .upper = 1}, .items = {}, .frame = false, .width = 90, .height = 70};
+  Plot plot{.title = {},
+            .x = {.lower = 0, .upper = 1},
+            .y = {.lower = 0, .upper = 1},
+            .items = {},
+            .frame = false,
+            .width = 90,
+            .height = 70};
   const Color blue = palette(1);
   PlotRegion cells{{}, blue};
   for (int i = 0; i < 7; ++i) {
@@ -108,7 +118,13 @@ TEST(Plot, PngShowsRegionsWithoutSeams) {
 }
 
 TEST(Plot, PngCutsAtTheFrameAndDrawsHugeNumbers) {
-  Plot plot{.title = {}, .x = {.lower = 0, .upper = 1}, .y = {.lower = 0, .upper = 1}, .items = {}, .frame = false, .width = 100, .height = 100};
+  Plot plot{.title = {},
+            .x = {.lower = 0, .upper = 1},
+            .y = {.lower = 0, .upper = 1},
+            .items = {},
+            .frame = false,
+            .width = 100,
+            .height = 100};
   plot.items.push_back(PlotCurve{{{-1e250, 0.5}, {1e250, 0.5}}, {palette(2), 10, Dash::solid}});
   plot.items.push_back(PlotCurve{{{0.5, -1e250}, {0.5, 1e250}}, {palette(1), 10, Dash::dotted}});
   const Picture picture = decoded(to_png(plot));
@@ -118,7 +134,8 @@ TEST(Plot, PngCutsAtTheFrameAndDrawsHugeNumbers) {
 }
 
 TEST(Plot, TicksAreRoundAndInside) {
-  for (const auto& [lower, upper] : std::vector<std::pair<double, double>>{{0, 1}, {-3.7, 12}, {1e-9, 3e-9}, {0.1, 0.1001}, {-1e7, 1e7}, {1e20, 1.5e20}}) {
+  for (const auto& [lower, upper] : std::vector<std::pair<double, double>>{
+           {0, 1}, {-3.7, 12}, {1e-9, 3e-9}, {0.1, 0.1001}, {-1e7, 1e7}, {1e20, 1.5e20}}) {
     Plot plot;
     plot.x.lower = lower;
     plot.x.upper = upper;
@@ -145,11 +162,13 @@ TEST(Plot, LogarithmicAxes) {
 }
 
 TEST(Plot, EqualAspectGivesBothAxesOneUnit) {
-  for (const auto& [width, height] : std::vector<std::pair<double, double>>{{1, 1}, {10, 1}, {1, 10}, {1000, 1}, {0, 1}}) {
+  for (const auto& [width, height] :
+       std::vector<std::pair<double, double>>{{1, 1}, {10, 1}, {1, 10}, {1000, 1}, {0, 1}}) {
     Plot plot{.title = {}, .x = {}, .y = {}, .items = {}, .equal_aspect = true};
     plot.items.push_back(PlotCurve{{{0, 0}, {width, height}}, {}});
     const plot_impl::Layout layout = plot_impl::layout(plot);
-    EXPECT_NEAR(layout.width / (layout.x.upper - layout.x.lower), layout.height / (layout.y.upper - layout.y.lower), 1e-9 * layout.width);
+    EXPECT_NEAR(layout.width / (layout.x.upper - layout.x.lower), layout.height / (layout.y.upper - layout.y.lower),
+                1e-9 * layout.width);
     EXPECT_LE(layout.width, plot.width + 1e-9);
     EXPECT_LE(layout.height, plot.height + 1e-9);
   }

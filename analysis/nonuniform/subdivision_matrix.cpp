@@ -1,32 +1,12 @@
 #include "analysis/nonuniform/subdivision_matrix.hpp"
 
 #include "algebra/error.hpp"
+#include "analysis/nonuniform/isolated_ratio.hpp"
 
 namespace limes {
 
-namespace {
-
-std::vector<std::vector<RationalFunction>> isolated_stencils(const InsertionRule& rule) {
-  const int points = rule.points();
-  const int variables = rule.parameters() + 1;
-  const RationalFunction gamma = RationalFunction::variable(variables, variables - 1);
-  std::vector<std::vector<RationalFunction>> result;
-  // E_i acts on the knots t_{i+1-2n} .. t_i.
-  for (int i = 0; i <= points - 2; ++i) {
-    std::vector<RationalFunction> knots;
-    for (int j = i + 1 - points; j <= i; ++j) {
-      const RationalFunction index = RationalFunction::constant(variables, j);
-      knots.push_back(j > 0 ? index * gamma : index);
-    }
-    result.push_back(rule.stencil(knots));
-  }
-  return result;
-}
-
-}  // namespace
-
 SubdivisionMatrix::SubdivisionMatrix(const InsertionRule& rule)
-    : SubdivisionMatrix(from_stencils(isolated_stencils(rule))) {}
+    : SubdivisionMatrix(from_stencils(isolated_ratio_stencils(rule, {}))) {}
 
 SubdivisionMatrix SubdivisionMatrix::from_stencils(std::vector<std::vector<RationalFunction>> stencils) {
   const std::size_t points = stencils.size() + 1;

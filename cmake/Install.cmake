@@ -25,6 +25,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/limesConfig.cmake"
   "${PROJECT_BINARY_DIR}/limesConfigVersion.cmake"
   "${CMAKE_CURRENT_LIST_DIR}/FindFLINT.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/FindGLPK.cmake"
   DESTINATION "${limes_cmake_dir}")
 
 # ---- pkg-config --------------------------------------------------------------------------------------------------------

@@ -4,6 +4,8 @@
 #include "proofs/checker/bernstein.hpp"
 #include "proofs/checker/rule.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 
 namespace limes::checker {
@@ -61,8 +63,8 @@ struct Certificate {
   bool proves_smoothness() const { return theorem == Theorem::U1 || theorem == Theorem::N1; }
 };
 
-/// \throws Rejected at "json", "format", "scheme", "claim", "proof" or "limits"
-Certificate read_certificate(std::string_view text, Budget& budget);
+/// \throws Rejected at "format", "scheme", "claim", "proof" or "limits"
+Certificate read_certificate(const nlohmann::json& json, Budget& budget);
 
 /// The scheme on one leaf: point parameters substituted, the others in Bernstein form in the multidegree n of the
 /// greatest degrees of D and the A_i. The symbol A(z) is shifted so that its first and last coefficient are not the

@@ -2,8 +2,9 @@
 #include "proofs/checker/checker.hpp"
 
 #include "proofs/checker/certificate.hpp"
+#include "proofs/checker/json.hpp"
+#include "proofs/checker/theorems.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <functional>
 
@@ -92,9 +93,32 @@ void prove_leaves(const Certificate& certificate, Budget& budget) {
   });
 }
 
+/// One line for every theorem; each has a file of its own.
+constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
+    {"U1", check_smoothness},
+    {"U2", check_smoothness},
+    {"N1", check_smoothness},
+    {"N3", check_smoothness},
+};
+
 std::string prove(std::string_view text) {
-  Budget budget;
-  const Certificate certificate = read_certificate(text, budget);
+  const Json certificate = parse_json(text);
+  if (!certificate.is_object() || !certificate.contains("format") || certificate["format"] != "limes-certificate")
+    throw Rejected{"format", "the text is no object with the format limes-certificate"};
+  if (!certificate.contains("version") || !certificate["version"].is_number_integer() || certificate["version"] != 1)
+    throw Rejected{"format", "the certificate needs the version 1"};
+  for (const auto& [name, check] : theorem_checkers) {
+    if (!certificate.contains("theorem") || certificate["theorem"] != name) continue;
+    Budget budget;
+    return check(certificate, budget);
+  }
+  throw Rejected{"format", "the certificate has an unknown theorem"};
+}
+
+}  // namespace
+
+std::string check_smoothness(const Json& json, Budget& budget) {
+  const Certificate certificate = read_certificate(json, budget);
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     if (!is_inside(leaf.region, certificate.region)) throw Rejected{"covering", "it is not inside the claimed region"};
   });
@@ -111,8 +135,6 @@ std::string prove(std::string_view text) {
   if (certificate.theorem == Theorem::N1) prove_n1(certificate, budget);
   return statement(certificate);
 }
-
-}  // namespace
 
 Result check(std::string_view certificate_json) {
   try {

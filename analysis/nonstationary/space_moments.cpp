@@ -61,25 +61,41 @@ Rational parameter_tau(const MaskSequence& sequence) {
   return limit.differentiated()(Rational(1)).constant_value() / sequence.mask.arity;
 }
 
+namespace {
+
+bool holds(const MaskSequence& sequence, const Rational& tau, const ExponentialFunction& f, bool generates, bool at_zero) {
+  for (int k = 0; k <= static_cast<int>(sequence.first_levels.size()); ++k) {
+    if (!defects(sequence.at_level(k), tau, f, generates, at_zero).empty()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::vector<ExponentialFunction> reproduced_space(const MaskSequence& sequence, AngleType type, bool generates, int max_degree,
                                                   int max_frequency) {
   using Wave = ExponentialFunction::Wave;
   const bool hyperbolic = type == AngleType::hyperbolic;
   const Rational tau = parameter_tau(sequence);
-  const auto holds = [&](const ExponentialFunction& f) {
-    for (int k = 0; k <= static_cast<int>(sequence.first_levels.size()); ++k) {
-      if (!defects(sequence.at_level(k), tau, f, generates).empty()) return false;
-    }
-    return true;
-  };
-  std::vector<ExponentialFunction> space;
   if (denominator(tau) > max_tau_denominator) max_frequency = 0;
+  std::vector<ExponentialFunction> space;
   for (int n = 0; n <= max_frequency; ++n) {
     const Wave cosine = n == 0 ? Wave::none : hyperbolic ? Wave::cosh : Wave::cos;
-    for (int degree = 0; degree <= max_degree && holds({degree, n, cosine}); ++degree) {
+    for (int degree = 0; degree <= max_degree && holds(sequence, tau, {degree, n, cosine}, generates, false); ++degree) {
       space.push_back({degree, n, cosine});
       if (n > 0) space.push_back({degree, n, hyperbolic ? Wave::sinh : Wave::sin});
     }
+  }
+  return space;
+}
+
+std::vector<ExponentialFunction> reproduced_polynomials(const MaskSequence& sequence, int max_degree) {
+  const Rational tau = parameter_tau(sequence);
+  std::vector<ExponentialFunction> space;
+  for (int degree = 0; degree <= max_degree; ++degree) {
+    const ExponentialFunction power{degree, 0, ExponentialFunction::Wave::none};
+    if (!holds(sequence, tau, power, false, true)) break;
+    space.push_back(power);
   }
   return space;
 }

@@ -45,4 +45,7 @@ constexpr int max_tau_denominator = 16;
 std::vector<ExponentialFunction> reproduced_space(const MaskSequence& sequence, AngleType type, bool generates,
                                                   int max_degree = 16, int max_frequency = 4);
 
+/// The powers 1, y, .., y^j that every step reproduces at theta = 0, up to max_degree.
+std::vector<ExponentialFunction> reproduced_polynomials(const MaskSequence& sequence, int max_degree = 16);
+
 }  // namespace limes

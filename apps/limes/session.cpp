@@ -114,7 +114,7 @@ Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& s
 }
 
 std::string region_text(const Scheme& scheme, const Box& region) {
-  constexpr std::size_t most_digits = 48;
+  constexpr std::size_t most_digits = 24;
   std::string text;
   for (std::size_t k = 0; k < region.size(); ++k) {
     const Interval& interval = region[k];

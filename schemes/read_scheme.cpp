@@ -4,7 +4,7 @@
 #include "algebra/expression/expression.hpp"
 #include "algebra/number/read_rational.hpp"
 #include "schemes/scheme.hpp"
-#include "schemes/uniform/interpolant_rule.hpp"
+#include "schemes/nonuniform/insertion_rule.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -166,7 +166,7 @@ void read_uniform(TableReader reader, Scheme& scheme) {
     if (arity != 2) reader.fail(*rule, "a rule makes a binary scheme: arity must be 2");
     scheme.rule = reader.text(*rule, "rule");
     scheme.mask = reader.located(*rule, "rule",
-                                 [&] { return mask_from_rule(read_expression(scheme.rule), scheme.parameter_names()); });
+                                 [&] { return uniform_mask(InsertionRule(read_expression(scheme.rule), scheme.parameter_names())); });
   }
   if (scheme.mask.symbol.is_zero()) reader.fail(mask ? *mask : *rule, "the mask is zero");
   reader.finish();
@@ -216,13 +216,13 @@ void read_nonuniform(TableReader reader, Scheme& scheme) {
   };
   try {
     scheme.insertion_rule.emplace(text, scheme.parameter_names());
+    scheme.mask = uniform_mask(*scheme.insertion_rule);
   } catch (const LimitError& error) {
     throw LimitError(error.reason(), position(error));
   } catch (const InputError& error) {
     throw InputError(error.reason(), position(error));
   }
   scheme.rule = text.new_point.text;
-  scheme.mask = uniform_mask(*scheme.insertion_rule);
 }
 
 std::vector<MaskSequence::Range> read_types(TableReader& reader, int arity) {

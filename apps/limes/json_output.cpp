@@ -172,6 +172,37 @@ std::string matrix_json(const MatrixReport& report) {
                {"symmetric", report.split.is_symmetric()}});
 }
 
+std::string dominance_json(const std::vector<DominanceReport>& reports) {
+  Json results = Json::array();
+  for (const DominanceReport& report : reports) {
+    const auto point = [&](const std::vector<Rational>& values) {
+      Json json = Json::object();
+      for (std::size_t k = 0; k < values.size(); ++k) json[report.names[k]] = to_string(values[k]);
+      return json;
+    };
+    Json factors = Json::array();
+    for (const FactorComparison& comparison : report.factors) {
+      Json tests = Json::array();
+      for (const MethodResult& result : comparison.methods) {
+        Json test{{"test", to_string(result.method)}, {"proved", result.proved}, {"boxes", result.leaves}};
+        if (result.hopeless_point) test["fails_at"] = point(*result.hopeless_point);
+        if (result.counterexample) test["counterexample"] = point(*result.counterexample);
+        tests.push_back(std::move(test));
+      }
+      factors.push_back({{"factor", to_string(comparison.factor.polynomial, report.names)},
+                         {"part", comparison.in_ell ? "ell" : "r"},
+                         {"multiplicity", comparison.factor.multiplicity},
+                         {"degree", comparison.factor.polynomial.degree()},
+                         {"mirrored", comparison.is_mirrored},
+                         {"tests", tests}});
+    }
+    Json result{{"scheme", report.scheme}, {"claim", statement(report.claim)}, {"region", report.region}, {"factors", factors}};
+    if (!report.reason.empty()) result["reason"] = report.reason;
+    results.push_back(std::move(result));
+  }
+  return text({{"results", results}});
+}
+
 std::string norm_json(const Rational& norm, int order, int level) {
   return text({{"norm", to_string(norm)},
                {"decimal", to_decimal(norm, 17, Rounding::up)},

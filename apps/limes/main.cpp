@@ -69,6 +69,30 @@ int run(int argc, char** argv) {
   matrix_verb->add_flag("--latex", matrix.latex, "Print matrix and factors in LaTeX");
   add_common(*matrix_verb, matrix);
 
+  DominanceOptions dominance;
+  CLI::App* dominance_verb = app.add_subcommand("dominance", "Which tests prove that the eigenvalues at an isolated knot ratio are dominated");
+  dominance_verb->add_option("scheme", dominance.schemes, "Catalogue names or scheme files (default: the non-uniform ones of the catalogue)")
+      ->type_name("SCHEME");
+  CLI::Option* dominance_claim = dominance_verb->add_option("--claim", dominance.claim, "C<m>, instead of the file's own claims");
+  dominance_verb->add_option("--param", dominance.parameters, "With --claim: parameter value or interval, w=[1/1000,1/50]")
+      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false)->needs(dominance_claim);
+  dominance_verb->add_option("--boxes", dominance.boxes, "How many boxes one test may look at for one factor")
+      ->check(CLI::Range(1, 1000000))->type_name("N")->capture_default_str();
+  add_common(*dominance_verb, dominance);
+
+  SearchOptions search;
+  CLI::App* search_verb = app.add_subcommand("search", "Search parameter values that make a non-uniform scheme C^m, and prove them");
+  search_verb->add_option("scheme", search.scheme, "Catalogue name or scheme file; its parameters are the unknowns")
+      ->required()->type_name("SCHEME");
+  search_verb->add_option("--claim", search.claim, "The smoothness wanted, e.g. C4")->required();
+  search_verb->add_option("--param", search.parameters, "Narrower interval of a parameter: w=[0,1/10]")
+      ->type_name("NAME=INTERVAL")->expected(1, 64)->allow_extra_args(false);
+  search_verb->add_option("--starts", search.starts, "How many random starts")->check(CLI::Range(1, 1000000))->type_name("N")->capture_default_str();
+  search_verb->add_option("--journal", search.journal, "File that keeps every finished start; the same search goes on from it")->type_name("FILE");
+  search_verb->add_option("--certificates", search.certificates, "Directory for the certificates of what is found")->type_name("DIR");
+  search_verb->add_option("-o,--output", search.output, "Scheme file to write with the best certified parameters")->type_name("FILE.toml");
+  add_common(*search_verb, search);
+
   RefineOptions refine;
   CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
   refine_verb->add_option("scheme", refine.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
@@ -99,6 +123,8 @@ int run(int argc, char** argv) {
   if (verify_verb->parsed()) return run_verify(verify);
   if (check_verb->parsed()) return run_check(check);
   if (matrix_verb->parsed()) return run_matrix(matrix);
+  if (dominance_verb->parsed()) return run_dominance(dominance);
+  if (search_verb->parsed()) return run_search(search);
   if (refine_verb->parsed()) return run_refine(refine);
   return run_norm(norm);
 }

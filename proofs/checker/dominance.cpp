@@ -104,7 +104,7 @@ std::vector<mpz_class> boundary_determinant(const Bernstein& r, std::vector<int>
       values.push_back(0);
       return determinant(modulus, std::move(matrix), n, values.back());
     });
-    if (done && interpolate(modulus, values, counts)) reconstruction.add(modulus, values);
+    if (done && interpolate(modulus, values, counts, 0)) reconstruction.add(modulus, values);
   }
   return reconstruction.result();
 }
@@ -178,24 +178,8 @@ void prove_circle(const Bernstein& r, const std::vector<mpq_class>& cuts, Budget
 
 void prove_dominance(const Factor& factor, int order, const Dominance& leaf, Budget& budget) {
   budget.start_leaf();
-  std::vector<Polynomial> polynomials = factor.coefficients;
-  for (const auto& d : polynomials) budget.work(1000 + 200. * static_cast<double>(d.size()));
-  std::vector<std::size_t> axes;
-  std::vector<int> degrees;
   Region box;
-  for (std::size_t k = 0; k < leaf.region.size(); ++k) {
-    if (leaf.region[k].is_point()) {
-      for (auto& d : polynomials) d = substitute(d, k, leaf.region[k].lower.value, budget);
-    } else {
-      axes.push_back(k);
-      box.push_back(leaf.region[k]);
-    }
-  }
-  for (const std::size_t k : axes) {
-    degrees.push_back(0);
-    for (const auto& d : polynomials) degrees.back() = std::max(degrees.back(), degree(d, k));
-  }
-  Bernstein r = to_bernstein(polynomials, leaf.region, axes, degrees, budget);
+  Bernstein r = on_region(factor.coefficients, leaf.region, box, budget);
   budget.work(static_cast<double>(r.coefficients.size()) * (500 + 10 * limbs(r) * limbs(r) + order));
   divide_common_powers(r, box);
   mpz_class content = 0;
@@ -213,6 +197,7 @@ void prove_dominance(const Factor& factor, int order, const Dominance& leaf, Bud
   if (midpoint[p] < 0)
     for (auto& c : r.coefficients) c = -c;
   if (leaf.test == Dominance::Test::rouche) return prove_rouche(r);
+  if (leaf.test == Dominance::Test::separation) return prove_separation(r, order, leaf, budget);
   if (!all_roots_inside(midpoint, budget)) fail("at the leaf's midpoint not all roots are inside");
   if (leaf.test == Dominance::Test::boundary)
     prove_boundary(r, box, budget);

@@ -158,6 +158,7 @@ Dominance read_dominance(const Json& json, const std::string& where, const std::
                 : test == "circle"   ? Test::circle
                                      : Test::separation;
   if (result.test == Test::separation && test != "separation") reader.fail("has an unknown test");
+  if (result.test == Test::separation && !json.contains("curves")) reader.fail("lacks the key curves");
   for (const auto& key : keys) {
     if (key == "c" && result.test != Test::circle) reader.fail("has cuts although its test is not circle");
     if ((key == "curves" || key == "distances") && result.test != Test::separation)

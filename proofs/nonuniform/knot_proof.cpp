@@ -83,7 +83,7 @@ KnotProofAttempt prove_smooth_for_all_knots(const InsertionRule& rule, int m, co
   }
   const bool both_sides = !is_mirror_symmetric(stencils);
   SpectrumDominance spectrum = prove_spectrum_dominance(split_characteristic_polynomial(matrix, m, stop), region, both_sides,
-                                                        RootDominanceOptions{}, stop);
+                                                        limits.dominance, stop);
   if (!spectrum.proved) {
     attempt.reason = std::move(spectrum.reason);
     attempt.expanding_point = std::move(spectrum.counterexample);

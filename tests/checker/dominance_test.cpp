@@ -75,13 +75,6 @@ TEST(Dominance, FactorsThatVanishSomewhere) {
 
 namespace {
 
-Json repeated(const std::string& base, const Factors& factors, const std::vector<int>& multiplicities) {
-  std::vector<Piece> pieces;
-  for (std::size_t k = 0; k + 1 < factors.size(); ++k) pieces.push_back({static_cast<int>(k), "rouche"});
-  pieces.push_back({static_cast<int>(factors.size()) - 1, "separation"});
-  return n1(6, Let{}, base, "C2", Json::object(), 6, factors, multiplicities, pieces);
-}
-
 /// C^1 of the four-point scheme from cubic interpolants at one w, the cubic factor by separation.
 Json separated(const std::string& w, const Json& curves, const Json& distances, const std::string& gamma = "(0, 1]") {
   auto json = n1(4, Let{}, a131_rule, "C1", {{"w", w}}, 4, {{"w", "1"}, a131_factor}, {2, 1},
@@ -92,3 +85,71 @@ Json separated(const std::string& w, const Json& curves, const Json& distances, 
 }
 
 }  // namespace
+
+TEST(Separation, AllRootsReal) {
+  const Json none;
+  expect_valid(separated("1/20", {"0", "3/25", "13/50", "1/2"}, none));
+  expect_valid(separated("1/20", {"0", "3/25 - gamma/100", "13/50", "1/2"}, none));
+  expect_valid(separated("1/20", {"-1/2", "0", "w+7/100", "13/50", "2/5+w"}, none));  // one curve more than needed
+  expect_valid(separated("1/20", {"0", "3/25", "13/50"}, none));  // the third root is real, and not >= 1/2
+  expect_valid(separated("1/20", {"-gamma/2", "3/25", "13/50", "1/2-gamma^2/10"}, none));
+  // Not in order, at one place or everywhere; outside; through a root; too few.
+  expect_invalid(separated("1/20", {"3/25", "0", "13/50", "1/2"}, none), "dominance");
+  expect_invalid(separated("1/20", {"0", "3/25", "3/25", "13/50", "1/2"}, none), "dominance");
+  expect_invalid(separated("1/20", {"0", "3/25", "13/50", "13/50+gamma*(gamma-1/2)", "1/2"}, none), "dominance");
+  expect_invalid(separated("1/20", {"0", "3/25", "13/50", "3/5"}, none), "dominance");
+  expect_invalid(separated("1/20", {"-3/5", "3/25", "13/50", "1/2"}, none), "dominance");
+  expect_invalid(separated("1/20", {"0", "1/10", "13/50", "1/2"}, none), "dominance");
+  expect_invalid(separated("1/20", {"0", "3/25"}, none), "dominance");
+  expect_invalid(separated("1/20", Json::array(), none), "dominance");
+  expect_invalid(separated("1/20", {"0", "3/25", "13/50", "1/2"}, {"1/10"}), "dominance");
+  expect_invalid(separated("1/20", {"0", "3/25", "13/50", "1/2"}, {"1/10", "1/10", "1/10"}), "dominance");
+}
+
+TEST(Separation, AConjugatePair) {
+  // A real root between 1/5 and 2/5, and |d_0| = d_3 / 50, rho = 1/2: the distance must exceed 2/25.
+  for (const char* distance : {"1/10", "1/12", "3/36"}) expect_valid(separated("1/10", {"1/10", "1/2"}, {distance}));
+  expect_valid(separated("1/10", {"1/4-gamma/8", "1/2"}, {"1/8"}));
+  expect_invalid(separated("1/10", {"1/10", "1/2"}, {"2/25"}), "dominance");
+  expect_invalid(separated("1/10", {"1/10", "1/2"}, {"1/5"}), "dominance");
+  expect_invalid(separated("1/10", {"1/4-gamma/8", "1/2"}, {"1/5"}), "dominance");
+  expect_invalid(separated("1/10", {"0", "1/2"}, {"1/10"}), "dominance");
+  expect_invalid(separated("1/10", {"-1/2", "1/2"}, {"1/10"}), "dominance");
+  expect_invalid(separated("1/10", {"1/10", "1/2"}, Json()), "dominance");
+  expect_invalid(separated("1/10", {"1/10", "1/2"}, {"1/10", "1/10"}), "dominance");
+  expect_invalid(separated("1/10", {"1/10", "1/2"}, {"-1/10"}), "dominance");
+  expect_invalid(separated("1/10", {"1/10", "1/2"}, {"0"}), "dominance");
+  expect_invalid(separated("1/10", {"-1/2", "-1/10"}, {"1/10"}), "dominance");
+}
+
+TEST(Separation, WhatIsFalseIsNotProved) {
+  // At w = 13/100 a real root exceeds 1/2 for small ratios; at w = 1/4 and any ratio a pair is outside.
+  for (const Json& curves : std::vector<Json>{{"1/10", "1/2"}, {"1/10", "2/5"}, {"1/10", "2/5", "1/2"}, Json::array()})
+    for (const Json& distances : std::vector<Json>{Json(), {"1/10"}, {"1/1000"}})
+      for (const char* gamma : {"(0, 1]", "(0, 1/1000]"})
+        expect_invalid(separated("13/100", curves, distances, gamma), "dominance covering");
+  // The leading coefficient vanishes at gamma = 1/2 (so would the factor, or a root be infinite).
+  auto json = separated("1/10", {"1/10", "1/2"}, {"1/10"});
+  for (auto& d : json["proof"]["factors"][1]) d = "(2*gamma-1)*(" + d.get<std::string>() + ")";
+  expect_invalid(json, "dominance");
+}
+
+TEST(Separation, TheForm) {
+  const auto base = separated("1/10", {"1/10", "1/2"}, {"1/10"});
+  const auto change = [&](const char* key, const Json& value, const std::string& steps) {
+    auto json = base;
+    json["proof"]["dominance"][1][key] = value;
+    expect_invalid(json, steps);
+  };
+  change("curves", "1/10", "proof");
+  change("curves", {"1/10", 1}, "proof");
+  change("curves", {"1/(1+gamma)", "1/2"}, "proof");
+  change("curves", {"1/10", "v"}, "proof");
+  change("distances", "1/10", "proof");
+  change("distances", {"w"}, "proof");
+  change("c", {"0"}, "proof");
+  for (const char* test : {"rouche", "boundary", "circle"}) change("test", test, "proof");
+  change("curves", Json(201, "1/10"), "proof");
+  change("curves", {"1/10 + gamma^1000*w^1000", "1/2"}, "limits dominance");
+  change("curves", {"1/10 + " + std::string(9000, '7') + "^600", "1/2"}, "limits dominance");
+}

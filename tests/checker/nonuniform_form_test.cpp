@@ -128,8 +128,8 @@ TEST(NonuniformForm, RulesOfTheWrongForm) {
                            "again(at(f(3,0),1/2))"})
     reject(rule);
   std::string deep;
-  for (int k = 0; k < 101; ++k) deep += "(";
-  reject(deep + "at(c,1/2)" + std::string(101, ')'));
+  for (int k = 0; k < 301; ++k) deep += "(";
+  reject(deep + "at(c,1/2)" + std::string(301, ')'));
   reject(std::string(50000, '(') + "at(c,1/2)" + std::string(50000, ')'));
   reject(std::string(99000, '-') + "at(c,1/2)");
   std::string calls = "c";
@@ -195,7 +195,8 @@ TEST(NonuniformForm, ObjectsOfTheWrongForm) {
   in_leaf("factor", 3);
   in_leaf("factor", -1);
   in_leaf("factor", "0");
-  in_leaf("test", "separation");
+  in_leaf("test", "separation");  // without curves
+  in_leaf("test", "sturm");
   in_leaf("test", 1);
   in_leaf("region", {{"w", "[1/16, 1/8]"}});
   in_leaf("region", {{"w", "[1/16, 1/8]"}, {"gamma", "(0, 1]"}, {"v", "1"}});

@@ -42,8 +42,8 @@ struct Dominance {
   std::size_t factor = 0;
   Region region;  ///< of the parameters, then gamma
   Test test = Test::rouche;
-  std::vector<mpq_class> cuts;      ///< of a circle test
-  std::vector<Polynomial> curves;   ///< of a separation test
+  std::vector<mpq_class> cuts;     ///< of a circle test
+  std::vector<Polynomial> curves;  ///< of a separation test
   std::vector<mpq_class> distances;
   bool mirrored = false;  ///< gamma stands for 1/gamma
 };

@@ -142,8 +142,8 @@ std::vector<mpq_class> read_rationals(const Reader& reader, const char* key, con
   return result;
 }
 
-Dominance read_dominance(const Json& json, const std::string& where, const std::vector<std::string>& names,
-                         int factors, Budget& budget) {
+Dominance read_dominance(const Json& json, const std::string& where, const std::vector<std::string>& names, int factors,
+                         Budget& budget) {
   std::vector<std::string> keys{"factor", "region", "test"};
   for (const char* key : {"c", "curves", "distances"})
     if (json.is_object() && json.contains(key)) keys.emplace_back(key);

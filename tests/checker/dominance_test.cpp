@@ -153,3 +153,18 @@ TEST(Separation, TheForm) {
   change("curves", {"1/10 + gamma^1000*w^1000", "1/2"}, "limits dominance");
   change("curves", {"1/10 + " + std::string(9000, '7') + "^600", "1/2"}, "limits dominance");
 }
+
+// The factor times a function of gamma that is positive, by its Bernstein coefficients on the halves of (0, 1] only.
+TEST(Dominance, ABoxOneBisectionTooWide) {
+  for (const std::string test : {"rouche", "boundary", "circle"}) {
+    const auto make = [&](const std::vector<Piece>& pieces) {
+      auto json = cr1("[1/16, 1/8]", 4, pieces);
+      for (auto& d : json["proof"]["factors"][1]) d = "(gamma^2-gamma+3/10)*(" + d.get<std::string>() + ")";
+      return json;
+    };
+    expect_valid(make({{0, "rouche"}, {1, test, "(0, 1/2]"}, {1, test, "[1/2, 1]"}, {2, "boundary"}}));
+    expect_invalid(make({{0, "rouche"}, {1, test, "(0, 1/2]"}, {2, "boundary"}}), "covering");
+    // F is of even degree in the factor, and no statement about the factor's sign.
+    if (test != "circle") expect_invalid(make({{0, "rouche"}, {1, test, "(0, 1]"}, {2, "boundary"}}), "dominance");
+  }
+}

@@ -188,3 +188,75 @@ TEST(N1, ASecondEigenvalueOneHalf) {
     expect_invalid(json, "characteristic");
   }
 }
+
+// sum_{s<p} |d_s| rho^s < d_p rho^p: without the last rho^p, a root between 1/2 and 1 would pass.
+TEST(N1, TheRadiusBelongsToTheLeadingTermToo) {
+  for (const char* gamma : {"(0, 1/64]", "1/64", "(0, 1/1000]"})
+    expect_invalid(n1(4, Let{}, a131_rule, "C1", {{"w", "13/100"}}, 6, {{"w", "1"}, a131_factor}, {2, 1},
+                      {{0, "rouche"}, {1, "rouche", gamma}, {1, "boundary", "[1/64, 1]"}}),
+                   "dominance covering");
+}
+
+namespace {
+
+/// 9/16 of the quadratic interpolant on the left and 7/16 of that on the right; `left` of it, to be exact.
+Json one_sided(const std::string& left = "9/16") {
+  const Factors factors{{"-1", "4"}, {"9", "128"}, {"7", "128"}, {"63*gamma+63", "-736*gamma-800", "2048*gamma+2048"}};
+  auto json = n1(4, Let{}, left + "*at(f(2,0),1/2) + (1-" + left + ")*at(f(2,1),1/2)", "C1", Json::object(), 4, factors,
+                 {1, 1, 1, 1}, {{0, "rouche"}, {1, "rouche"}, {2, "rouche"}, {3, "rouche"}});
+  json["proof"]["mirrored"] = json["proof"]["dominance"];
+  return json;
+}
+
+}  // namespace
+
+TEST(N1, RulesWithoutSymmetry) {
+  const auto base = one_sided();
+  expect_valid(base);
+  auto json = base;
+  json["proof"].erase("mirrored");
+  expect_invalid(json, "symmetry");
+  json["proof"]["mirrored"] = Json::array();
+  expect_invalid(json, "covering");
+  json["proof"]["mirrored"] = true;
+  expect_invalid(json, "proof");
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (const char* list : {"dominance", "mirrored"}) {
+      json = base;
+      json["proof"][list].erase(k);
+      expect_invalid(json, "covering");
+      for (const char* gamma : {"[1/1000, 1]", "(0, 1)", "(0, 2]", "[0, 1]"}) {
+        json = base;
+        json["proof"][list][k]["region"]["gamma"] = gamma;
+        expect_invalid(json, "covering");
+      }
+      json = base;
+      json["proof"][list][k]["test"] = "boundary";
+      expect_valid(json);
+    }
+  }
+  // A symmetric rule may have both, and its own leaves serve.
+  json = cr1();
+  json["proof"]["mirrored"] = json["proof"]["dominance"];
+  expect_valid(json);
+  expect_invalid(one_sided("1/2"), "characteristic");
+}
+
+// Smooth at equal intervals and for small ratios, but for large ones an eigenvalue exceeds 1/2; and its mirror image.
+TEST(N1, BothSidesCount) {
+  for (const bool small : {true, false}) {
+    // chi of 21/20 f(2,0) - 1/20 f(2,1), and of its mirror image, computed with PARI.
+    const std::vector<std::string> factor =
+        small ? std::vector<std::string>{"-21*gamma-21", "-760*gamma-1640", "3200*gamma+3200"}
+              : std::vector<std::string>{"-21*gamma-21", "-1640*gamma-760", "3200*gamma+3200"};
+    for (const std::string test : {"rouche", "boundary", "circle"}) {
+      auto json = n1(
+          4, Let{}, small ? "21/20*at(f(2,0),1/2) - 1/20*at(f(2,1),1/2)" : "21/20*at(f(2,1),1/2) - 1/20*at(f(2,0),1/2)",
+          "C1", Json::object(), 6, {{"-1", "4"}, {"21", "160"}, {"-1", "160"}, factor}, {1, 1, 1, 1},
+          {{0, "rouche"}, {1, "rouche"}, {2, "rouche"}, {3, test}});
+      expect_invalid(json, "symmetry");
+      json["proof"]["mirrored"] = json["proof"]["dominance"];
+      expect_invalid(json, "dominance");
+    }
+  }
+}

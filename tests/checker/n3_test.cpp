@@ -86,8 +86,8 @@ TEST(N3, Regions) {
 TEST(N3, EigenvaluesThatComeAndGo) {
   // Two points with weights u, 1-u: linear functions are reproduced for u = 1/2 only.
   const auto two_points = [](const std::string& region, const std::string& statement) {
-    auto json = nonuniform(2, Let{}, "(1-u)*at(f(1,0),0) + u*at(f(1,0),1)", statement, {{"u", region}}, "certified", "N3",
-                           {{"region", {{"u", region}}}, {"gamma", "1"}});
+    auto json = nonuniform(2, Let{}, "(1-u)*at(f(1,0),0) + u*at(f(1,0),1)", statement, {{"u", region}}, "certified",
+                           "N3", {{"region", {{"u", region}}}, {"gamma", "1"}});
     return json;
   };
   // Its eigenvalues are 1, u and 1-u, at every ratio.

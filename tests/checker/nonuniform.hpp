@@ -8,7 +8,6 @@
 
 namespace limes::test {
 
-
 using Let = std::vector<std::array<std::string, 2>>;
 using Factors = std::vector<std::vector<std::string>>;
 
@@ -18,9 +17,9 @@ inline const char* const cr2_rule = "(576*w-2)*at(cr2,1/2) + (3-576*w)*dot([1/12
 inline const char* const a131_rule = "16*w*at(f(3,0),1/2) + (1-16*w)*at(f(1,0),1/2)";
 inline const char* const a253_rule = "256/3*w*at(f(5,0),1/2) + (1-256/3*w)*at(f(3,0),1/2)";
 
-inline const std::vector<std::string> a131_factor{"-(8*gamma^2+20*gamma+8)*w^2",
-                                           "-32*(gamma-1)^2*w^2 + (10*gamma^2+16*gamma+10)*w",
-                                           "-(8*gamma^2+20*gamma+8)*w - (2*gamma^2+5*gamma+2)", "4*gamma^2+10*gamma+4"};
+inline const std::vector<std::string> a131_factor{
+    "-(8*gamma^2+20*gamma+8)*w^2", "-32*(gamma-1)^2*w^2 + (10*gamma^2+16*gamma+10)*w",
+    "-(8*gamma^2+20*gamma+8)*w - (2*gamma^2+5*gamma+2)", "4*gamma^2+10*gamma+4"};
 inline const std::vector<std::string> a253_factor{
     "(50331648*gamma^6+448790528*gamma^5+1421869056*gamma^4+2056257536*gamma^3+1421869056*gamma^2"
     "+448790528*gamma+50331648)*w^4",
@@ -43,8 +42,8 @@ inline const std::vector<std::string> a253_factor{
     "(-663552*gamma^6-6469632*gamma^5-22293504*gamma^4-33306624*gamma^3-22293504*gamma^2"
     "-6469632*gamma-663552)"};
 
-inline Json nonuniform(int points, const Let& let, const std::string& rule, const std::string& statement, const Json& region,
-                const std::string& verdict, const std::string& theorem, const Json& proof) {
+inline Json nonuniform(int points, const Let& let, const std::string& rule, const std::string& statement,
+                       const Json& region, const std::string& verdict, const std::string& theorem, const Json& proof) {
   std::vector<std::string> parameters;
   for (const auto& [name, interval] : region.items()) parameters.push_back(name);
   return {{"format", "limes-certificate"},
@@ -69,7 +68,8 @@ struct Piece {
 
 /// C^m certified by N1, with one uniform leaf and the tests on pieces of gamma.
 inline Json n1(int points, const Let& let, const std::string& rule, const std::string& statement, const Json& region,
-        int level, const Factors& factors, const std::vector<int>& multiplicities, const std::vector<Piece>& tests) {
+               int level, const Factors& factors, const std::vector<int>& multiplicities,
+               const std::vector<Piece>& tests) {
   Json dominance = Json::array();
   for (const auto& [factor, test, gamma] : tests) {
     Json leaf = region;
@@ -84,7 +84,7 @@ inline Json n1(int points, const Let& let, const std::string& rule, const std::s
 }
 
 inline Json cr1(const std::string& region = "[1/16, 1/8]", int level = 4,
-         const std::vector<Piece>& tests = {{0, "rouche"}, {1, "rouche"}, {2, "boundary"}}) {
+                const std::vector<Piece>& tests = {{0, "rouche"}, {1, "rouche"}, {2, "boundary"}}) {
   return n1(4, catmull_rom_1, "at(c,1/2)", "C1", {{"w", region}}, level,
             {{"w", "1"}, {"-2*w", "1"}, {"2*w", "-1", "2"}}, {2, 1, 1}, tests);
 }
@@ -93,8 +93,8 @@ inline Json a253(const std::string& region, const std::vector<Piece>& tests) {
   return n1(6, Let{}, a253_rule, "C2", {{"w", region}}, 6, {{"-w", "1"}, {"-1/8", "1"}, a253_factor}, {2, 1, 1}, tests);
 }
 
-inline Json n3(const std::string& rule, const std::string& statement, const std::string& region, const std::string& verdict,
-        const std::string& w, const std::string& gamma) {
+inline Json n3(const std::string& rule, const std::string& statement, const std::string& region,
+               const std::string& verdict, const std::string& w, const std::string& gamma) {
   return nonuniform(4, catmull_rom_1, rule, statement, {{"w", region}}, verdict, "N3",
                     {{"region", {{"w", w}}}, {"gamma", gamma}});
 }

@@ -41,12 +41,15 @@ TEST(KnotProof, RulesWithoutMirrorSymmetry) {
   EXPECT_FALSE(std::get<KnotProof>(decide(catalogue("cr1"), "C1", "1/16").certificate->proof).both_sides);
 }
 
-// What fails for large ratios only must fail: the mirror image of a rule that fails for small ones.
+// Smooth at equal intervals, but for small ratios a second eigenvalue exceeds 1/2; its mirror image fails for large ratios only.
 TEST(KnotProof, LargeRatiosCount) {
-  const char* const left = "64/25*at(f(2,0),1/2) - 39/25*at(f(1,0),1/2)";
-  const char* const right = "64/25*at(f(2,1),1/2) - 39/25*at(f(1,0),1/2)";
-  for (const char* m : {"C0", "C1"}) {
-    EXPECT_EQ(decide(own(left, 4), m, "1/16").outcome, decide(own(right, 4), m, "1/16").outcome) << m;
+  for (const bool left : {true, false}) {
+    const Verdict verdict = decide(own(left ? "21/20*at(f(2,0),1/2) - 1/20*at(f(2,1),1/2)"
+                                            : "21/20*at(f(2,1),1/2) - 1/20*at(f(2,0),1/2)", 4), "C1", "1/16");
+    ASSERT_EQ(verdict.outcome, Outcome::refuted) << verdict.reason;
+    ASSERT_EQ(verdict.certificate->theorem, Theorem::n3);
+    const Rational gamma = std::get<RatioWitness>(std::get<LeafProof>(verdict.certificate->proof).leaves.front().witness).gamma;
+    EXPECT_EQ(gamma < 1, left);
   }
 }
 

@@ -71,9 +71,13 @@ TEST(RuleText, MorePointsThanACertificateMayHave) {
   EXPECT_EQ(verdict.outcome, Outcome::undecided);
   EXPECT_NE(verdict.reason.find("at most 16 points"), std::string::npos) << verdict.reason;
   EXPECT_EQ(decide(own("at(f(3,0),1/2)", 6), "C1", "1/16").outcome, Outcome::certified);
-  std::string zeros;
-  for (int k = 0; k < 16; ++k) zeros += k == 7 || k == 8 ? "\"1/2\"," : "\"0\",";
-  EXPECT_EQ(decide(own_coefficients(zeros, 16), "C1", "1/16").outcome, Outcome::undecided);  // 14 ratios, 1 parameter
+  std::string list;
+  for (int k = 0; k < 16; ++k) list += k == 7 || k == 8 ? "\"1/2\"," : "\"0\",";
+  EXPECT_EQ(decide(own_coefficients(list, 16), "C1", "1/16").outcome, Outcome::refuted);
+  Scheme scheme = own_coefficients(list, 16);
+  scheme.parameters.push_back({"v", Interval::point(1)});
+  scheme.parameters.push_back({"u", Interval::point(1)});
+  EXPECT_NE(decide(scheme, "C1").reason.find("at most 16 parameters and ratios"), std::string::npos);
 }
 
 TEST(RuleText, NamesThatTheVocabularyUses) {

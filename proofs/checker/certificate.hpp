@@ -107,6 +107,9 @@ Bernstein on_region(std::vector<Polynomial> polynomials, const Region& region, R
 
 /// All roots of a factor, its point parameters not yet being substituted, are less than 2^{-order} on a leaf.
 void prove_dominance(const Factor& factor, int order, const Dominance& leaf, Budget& budget);
+/// det(X - Y), X_ij = r_{p-j+i} for j >= i, Y_ij = r_{i+j-p} for i + j >= p (from 1, (p-1) x (p-1)), in scaled Bernstein
+/// form: r_p^{p-1} prod_{i<j} (1 - z_i z_j) for the roots z_i of r. \pre p >= 2
+Bernstein boundary_determinant(const Bernstein& r, Budget& budget);
 /// The separation test for r(z), whose leading coefficient is positive at the midpoint: all roots satisfy |z| < 1.
 void prove_separation(const Bernstein& r, int order, const Dominance& leaf, Budget& budget);
 

@@ -162,6 +162,15 @@ void prove_n3(const Certificate& certificate, const Leaf& leaf, Budget& budget) 
       const std::vector<mpz_class> value = value_at(rest, k, side);
       if (std::all_of(value.begin(), value.end(), [](const mpz_class& c) { return c <= 0; })) return;
     }
+  // With all roots inside, r_p^{p-1} prod_{i<j} (1 - z_i z_j) would be positive.
+  for (std::size_t s = 0; s < rest.count(); ++s)
+    for (std::size_t i = 0; i < size; ++i) rest.coefficients[s * size + i] <<= order * (rest.count() - 1 - s);
+  if (rest.count() > 2) {
+    const Bernstein determinant = boundary_determinant(rest, budget);
+    if (std::all_of(determinant.coefficients.begin(), determinant.coefficients.end(),
+                    [](const mpz_class& c) { return c <= 0; }))
+      return;
+  }
   throw Rejected{"eigenvalue", "no other eigenvalue of L is proved to have a modulus of 2^-m or more on the leaf"};
 }
 

@@ -1,6 +1,7 @@
 // Theorem N3: a knot ratio whose eigenvalues are not those of a C^m scheme.
 
 #include "algebra/polynomial/bernstein_form.hpp"
+#include "analysis/nonuniform/dominance_test.hpp"
 #include "analysis/nonuniform/expanding_eigenvalue.hpp"
 #include "analysis/nonuniform/isolated_ratio.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
@@ -12,26 +13,31 @@
 namespace limes {
 namespace {
 
-/// The characteristic polynomial at one ratio without the factors (lambda - 2^{-k}), k <= m, as far as they divide.
+/// The characteristic polynomial at one ratio without the factors (lambda - 2^{-k}), k <= m, as far as they divide: `rest`.
 struct RatioTest {
   Rational gamma;
+  LambdaPolynomial rest;
   /// These have no zero: the leading coefficient, and the values at those 2^{-k} that are no eigenvalues.
   std::vector<MultivariatePolynomial> guards;
-  /// Where one of these is <= 0, a real root has modulus >= 2^{-m}: the values at 2^{-k}, and at -2^{-k} times (-1)^degree.
+  /// Where one of these is <= 0, a root has modulus >= 2^{-m}, a real one: the values at 2^{-k}, and at -2^{-k} times
+  /// (-1)^degree; any one: the determinant of the boundary test, made when it is needed.
   std::vector<MultivariatePolynomial> values;
+  bool has_determinant = false;
 
   bool has_guards(const Box& box) const {
     return std::all_of(guards.begin(), guards.end(), [&](const MultivariatePolynomial& guard) {
       return BernsteinForm(guard, box).strict_sign_off_open_faces() != 0;
     });
   }
-  bool refutes(const std::vector<Rational>& point) const {
-    return std::any_of(values.begin(), values.end(), [&](const MultivariatePolynomial& value) { return value(point) <= 0; });
-  }
   bool refutes(const Box& box, const std::vector<Rational>& inside) const {
-    return has_guards(box) && guards.front()(inside) > 0 && std::any_of(values.begin(), values.end(), [&](const MultivariatePolynomial& value) {
+    return !guards.empty() && has_guards(box) && guards.front()(inside) > 0 && std::any_of(values.begin(), values.end(), [&](const MultivariatePolynomial& value) {
              return value(inside) <= 0 && BernsteinForm(value, box).upper() <= 0;
            });
+  }
+  void add_determinant(int m) {
+    if (has_determinant || values.empty() || rest.degree() < 2) return;
+    has_determinant = true;
+    values.push_back(boundary_determinant(rest, power(Rational(2), -m)));
   }
 };
 
@@ -42,8 +48,8 @@ MultivariatePolynomial value_at(const LambdaPolynomial& p, const Rational& lambd
 }
 
 RatioTest make_test(const LambdaPolynomial& chi, int m, const Box& region, const Rational& gamma) {
-  RatioTest test{gamma, {}, {}};
-  LambdaPolynomial rest = chi.substitute(chi.variables() - 1, gamma);
+  RatioTest test{gamma, chi.substitute(chi.variables() - 1, gamma), {}, {}};
+  LambdaPolynomial& rest = test.rest;
   if (rest.degree() < chi.degree()) return test;
   rest = primitive_part(rest).part;
   std::vector<Rational> point = midpoint(region);
@@ -82,12 +88,13 @@ class RegionRefutation {
       stop.check();
       const Box box = std::move(waiting_.back());
       waiting_.pop_back();
-      if (const auto gamma = ratio_for(box)) {
+      const auto gamma = ratio_for(box);
+      if (gamma) {
         attempt.leaves.push_back({box, RatioWitness{*gamma}});
         continue;
       }
       const int axis = widest_axis(box, region_);
-      const bool hopeless = axis < 0 || !any_refutes(midpoint(box));
+      const bool hopeless = axis < 0 || !ratio_for(point_box(midpoint(box)));
       if (hopeless || static_cast<int>(attempt.leaves.size() + waiting_.size()) + 2 > limits.max_leaves ||
           box[static_cast<std::size_t>(axis)].width() * 1000000 < region_[static_cast<std::size_t>(axis)].width()) {
         attempt.reason = "no knot ratio is found whose eigenvalues contradict the smoothness";
@@ -104,7 +111,7 @@ class RegionRefutation {
   }
 
  private:
-  const RatioTest& test(std::size_t k) {
+  RatioTest& test(std::size_t k) {
     const auto found = tests_.find(k);
     return found != tests_.end() ? found->second : tests_.emplace(k, make_test(chi_, m_, region_, ratios_[k])).first->second;
   }
@@ -112,17 +119,19 @@ class RegionRefutation {
     box.push_back(Interval::point(gamma));
     return box;
   }
-  bool any_refutes(std::vector<Rational> point) {
-    point.emplace_back(1);
-    for (std::size_t k = 0; k < ratios_.size(); ++k) {
-      if (test(k).refutes(point)) return true;
-    }
-    return false;
+  static Box point_box(const std::vector<Rational>& point) {
+    Box box;
+    for (const Rational& x : point) box.push_back(Interval::point(x));
+    return box;
   }
   std::optional<Rational> ratio_for(const Box& box) {
-    for (std::size_t k = 0; k < ratios_.size(); ++k) {
-      const Box whole = with_ratio(box, ratios_[k]);
-      if (test(k).refutes(whole, midpoint(whole))) return ratios_[k];
+    for (const bool pairs : {false, true}) {
+      for (std::size_t k = 0; k < ratios_.size(); ++k) {
+        RatioTest& candidate = test(k);
+        if (pairs) candidate.add_determinant(m_);
+        const Box whole = with_ratio(box, ratios_[k]);
+        if (candidate.refutes(whole, midpoint(whole))) return ratios_[k];
+      }
     }
     return std::nullopt;
   }

@@ -43,7 +43,7 @@ struct WordWitness {
   std::vector<int> word;
 };
 
-/// The eigenvalues at the knot ratio gamma are not those of a C^m scheme at the leaf, a point (N3).
+/// The eigenvalues at the knot ratio gamma are not those of a C^m scheme, everywhere on the leaf (N3).
 struct RatioWitness {
   Rational gamma;
 };
@@ -62,17 +62,21 @@ struct LeafProof {
 };
 
 /// A factor of the characteristic polynomial at an isolated knot ratio, with boxes (parameters, then gamma) that cover
-/// gamma in (0, 1] times the region, on each of which its roots are dominated.
+/// gamma in (0, 1] times the region, on each of which its roots are dominated; and the same for 1/gamma in place of gamma, when the
+/// rule is not mirror-symmetric.
 struct DominatedFactor {
   LambdaPolynomial polynomial;
   int multiplicity = 1;
   std::vector<DominanceLeaf> leaves;
+  std::vector<DominanceLeaf> mirrored_leaves;
 };
 
 /// The witness data of Theorem N1.
 struct KnotProof {
   std::vector<ProofLeaf> uniform_leaves;
   std::vector<DominatedFactor> factors;
+  /// Whether the factors have mirrored leaves.
+  bool both_sides = false;
 };
 
 /// The witness data of Theorem S1.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/nonuniform/root_dominance.hpp"
 #include "analysis/uniform/contractivity_bound.hpp"
 
 namespace limes {
@@ -7,6 +8,8 @@ namespace limes {
 /// How hard the provers try before they say undecided.
 struct ProofLimits {
   ContractivityLimits contractivity;
+  /// The tests of Theorem N1 for one factor of a characteristic polynomial, and their boxes.
+  RootDominanceOptions dominance;
   /// Leaves of one proof.
   int max_leaves = 20000;
   /// Bisections of one leaf.

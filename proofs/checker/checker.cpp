@@ -57,7 +57,7 @@ std::string theorem(const Certificate& certificate) {
       return "theorem N1, " + count(certificate.leaves.size(), "uniform ") + ", " +
              count(certificate.dominance.size(), "dominance ");
     case Theorem::N3:
-      return "theorem N3";
+      return "theorem N3, " + count(certificate.leaves.size(), "");
   }
   return "";
 }
@@ -131,7 +131,7 @@ std::string check_smoothness(const Json& json, Budget& budget) {
       throw Rejected{"covering", "the leaves do not cover the claimed region"};
   }
   if (certificate.theorem == Theorem::N3)
-    prove_n3(certificate, budget);
+    for_each_leaf(certificate, [&](const Leaf& leaf) { prove_n3(certificate, leaf, budget); });
   else
     prove_leaves(certificate, budget);
   if (certificate.theorem == Theorem::N1) prove_n1(certificate, budget);

@@ -30,7 +30,11 @@ Json polytope_to_json(const Polytope& polytope) {
     Json combinations = Json::array();
     for (const SparseCombination& combination : of_matrix) {
       Json terms = Json::array();
-      for (const auto& [j, c] : combination) terms.push_back(Json::array({j, to_string(c)}));
+      for (const HullTerm& term : combination) {
+        const std::size_t index = std::size_t(term.index) + (term.conjugate ? polytope.vectors.size() : 0);
+        terms.push_back(Json::array({index, to_string(term.re)}));
+        if (term.im != 0) terms.back().push_back(to_string(term.im));
+      }
       combinations.push_back(std::move(terms));
     }
     images.push_back(std::move(combinations));

@@ -134,7 +134,9 @@ std::optional<MultivariatePolynomial> possible_pole(const Scheme& scheme, const 
 
 }  // namespace
 
-Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+namespace {
+
+Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
   Verdict undecided;
   if (const auto pole = possible_pole(scheme, claim.region)) {
@@ -147,10 +149,9 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     Attempt direct = attempt_statement(scheme, m, claim.negated, claim.region, std::nullopt, limits, stop);
     if (direct.proof) return conclude(scheme, claim, Outcome::certified, std::move(direct));
 
-    if (claim.negated && scheme.insertion_rule) {  // N1 certifies only: one knot sequence that is smooth refutes nothing
-      undecided.reason = describe_failure(direct, scheme.parameter_names());
-      return undecided;
-    }
+    undecided.reason = describe_failure(direct, scheme.parameter_names());
+    // N1 certifies only: one knot sequence that is smooth refutes nothing.
+    if (!try_opposite || (claim.negated && scheme.insertion_rule)) return undecided;
     std::vector<std::vector<Rational>> points = sample_points(claim.region);
     if (direct.failing_point) points.insert(points.begin(), *direct.failing_point);
     std::string opposite_reason;
@@ -161,7 +162,7 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
       if (opposite.proof) return conclude(scheme, claim, Outcome::refuted, std::move(opposite));
       if (opposite_reason.empty()) opposite_reason = describe_failure(opposite, scheme.parameter_names());
     }
-    undecided.reason = fmt::format("{}; {}", describe_failure(direct, scheme.parameter_names()), opposite_reason);
+    undecided.reason += "; " + opposite_reason;
   } catch (const LimitError& error) {
     undecided.reason = error.reason();
   } catch (const Interrupted& interrupted) {
@@ -169,6 +170,16 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     undecided.interrupted = true;
   }
   return undecided;
+}
+
+}  // namespace
+
+Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  return prove(scheme, claim, true, limits, stop);
+}
+
+Verdict prove_as_stated(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  return prove(scheme, claim, false, limits, stop);
 }
 
 }  // namespace limes

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/nonuniform/dominance_test.hpp"
+#include "analysis/spectral_radius/polytope_norm.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "schemes/scheme.hpp"
 
@@ -30,6 +31,11 @@ std::string to_string(Theorem theorem);
 struct ContractionWitness {
   int level = 1;
 };
+/// A norm in which all matrices of section_hull() on the leaf are contractions (U1): one polytope for every diagonal block in a basis.
+struct PolytopeWitness {
+  RationalMatrix basis;
+  std::vector<Polytope> blocks;
+};
 /// sigma^{m+1} does not divide the symbol at any point of the leaf (U2).
 struct MissingFactorWitness {};
 /// The product of the difference sections along the word has spectral radius >= 1 on the leaf (U2).
@@ -45,7 +51,7 @@ struct RatioWitness {
 /// One box of a proof with the witness that settles it.
 struct ProofLeaf {
   Box region;
-  std::variant<ContractionWitness, MissingFactorWitness, WordWitness, RatioWitness> witness;
+  std::variant<ContractionWitness, PolytopeWitness, MissingFactorWitness, WordWitness, RatioWitness> witness;
 };
 
 /// The witness data of Theorems U1, U2 and N3.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/spectral_radius/polytope_norm.hpp"
 #include "analysis/uniform/contractivity_bound.hpp"
 
 namespace limes {
@@ -7,6 +8,9 @@ namespace limes {
 /// How hard the provers try before they say undecided.
 struct ProofLimits {
   ContractivityLimits contractivity;
+  /// Polytope norms: vectors, and the dimension of the sections.
+  PolytopeLimits polytope{.max_vectors = 400, .precision = 48};
+  int max_polytope_dimension = 20;
   /// Leaves of one proof.
   int max_leaves = 20000;
   /// Bisections of one leaf.

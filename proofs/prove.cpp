@@ -77,6 +77,12 @@ std::string describe_leaf(const ProofLeaf& leaf, int m) {
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) {
     return fmt::format("the sections B_e along the word {} have a product of spectral radius >= 1", fmt::join(word->word, " "));
   }
+  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
+    std::size_t vectors = 0;
+    for (const Polytope& block : polytope->blocks) vectors += block.vectors.size();
+    return fmt::format("sigma^{} divides the symbol and the difference scheme contracts in the norm of a polytope of {} vectors", m + 1,
+                       vectors);
+  }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) return fmt::format("sigma^{} does not divide the symbol", m + 1);
   return fmt::format("sigma^{} divides the symbol and the difference scheme contracts", m + 1);
 }

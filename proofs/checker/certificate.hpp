@@ -20,12 +20,28 @@ struct Scheme {
   Polynomial denominator;
 };
 
-/// One piece of a proof: a part of the region and the witness for it (a level for U1; a word, or none, for U2).
+/// Norms of the diagonal blocks of the sections in a basis: the ball of each is the hull of +-vectors and of +-unit times the
+/// unit vectors. images[k][i] says which combination of the vectors is near the image of vector i under matrix k, the unit
+/// vectors counted last.
+struct PolytopeWitness {
+  struct Block {
+    std::size_t size = 0;
+    mpz_class unit;
+    std::vector<std::vector<mpz_class>> vectors;
+    std::vector<std::vector<std::vector<std::pair<int, mpq_class>>>> images;
+  };
+  std::vector<std::vector<mpq_class>> basis;  ///< by rows; none: the unit vectors, and one block
+  std::vector<Block> blocks;
+};
+
+/// One piece of a proof: a part of the region and the witness for it (a level or a polytope for U1; a word, or none,
+/// for U2).
 struct Leaf {
   Region region;
   int level = 0;
   bool missing_factor = false;
   std::vector<int> word;
+  std::optional<PolytopeWitness> polytope;
 };
 
 /// f = sum_s coefficients[s] lambda^s, variables: the parameters, then gamma.
@@ -81,9 +97,12 @@ struct LocalScheme {
 /// \throws Rejected at "denominator" when D has no proven strict sign on the leaf
 LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf, Budget& budget);
 
-/// Theorem U1 (C^m) and theorem U2 (not C^m) on a leaf: an estimate of the work in nanoseconds, and the proof.
-double u1_work(const LocalScheme& scheme, int level);
-void prove_u1(const LocalScheme& scheme, int level);
+/// Theorem U1 (C^m) and theorem U2 (not C^m) on a leaf: an estimate of the work in nanoseconds, and the proof. U1 asks for
+/// sum and factor of the symbol, and for a contraction, shown by the norm of a level or by a polytope.
+void prove_symbol(const LocalScheme& scheme);
+double norm_work(const LocalScheme& scheme, int level);
+void prove_norm(const LocalScheme& scheme, int level);
+void prove_polytope(const LocalScheme& scheme, const PolytopeWitness& witness, Budget& budget);
 double u2_work(const LocalScheme& scheme, const Leaf& leaf);
 void prove_u2(const LocalScheme& scheme, bool interpolatory, const Leaf& leaf, Budget& budget);
 

@@ -3,6 +3,7 @@
 // Certificates of theorems U1, U2, N1 and N3.
 #include "proofs/checker/certificate.hpp"
 #include "proofs/checker/json.hpp"
+#include "proofs/checker/polytope.hpp"
 
 namespace limes::checker {
 namespace {
@@ -96,10 +97,13 @@ void read_scheme(const Json& json, Certificate& certificate, Budget& budget) {
 Leaf read_leaf(const Json& json, const std::string& where, const Certificate& certificate, Budget& budget) {
   const bool smooth = certificate.proves_smoothness();
   const bool missing = !smooth && json.is_object() && json.contains("missing_factor");
-  const char* witness = smooth ? "level" : missing ? "missing_factor" : "word";
+  const bool polytope = smooth && json.is_object() && json.contains("polytope");
+  const char* witness = polytope ? "polytope" : smooth ? "level" : missing ? "missing_factor" : "word";
   const Reader reader(json, "proof", where, {"region", witness});
-  Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, missing, {}};
-  if (smooth) {
+  Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, missing, {}, {}};
+  if (polytope) {
+    leaf.polytope = read_polytope(reader.at("polytope"), where, budget);
+  } else if (smooth) {
     leaf.level = reader.integer(reader.at("level"), "level", 1, 24);
   } else if (missing) {
     if (reader.at("missing_factor") != true) reader.fail("needs true as missing_factor");
@@ -171,7 +175,7 @@ void read_n1(const Json& json, Certificate& certificate, Budget& budget) {
 
 void read_n3(const Json& json, Certificate& certificate, Budget& budget) {
   const Reader proof(json, "proof", "the proof", {"region", "gamma"});
-  certificate.leaves.push_back({proof.region(certificate.scheme.parameters, budget), 0, false, {}});
+  certificate.leaves.push_back({proof.region(certificate.scheme.parameters, budget), 0, false, {}, {}});
   for (const Interval& interval : certificate.leaves.front().region)
     if (!interval.is_point()) proof.fail("needs a region that is one point");
   certificate.gamma = read_interval(proof.text(proof.at("gamma"), "gamma"), "proof");

@@ -2,7 +2,8 @@
 
 #include "algebra/error.hpp"
 
-#include <nlohmann/json.hpp>
+#include "proofs/certificate_text_impl.hpp"
+#include "proofs/spectral_radius/norm_json_impl.hpp"
 
 namespace limes {
 namespace {
@@ -15,58 +16,12 @@ Json region_to_json(const Box& region, const VariableNames& names) {
   return json;
 }
 
-/// "1/2 -3 0"
-std::string row_to_text(const std::vector<Rational>& row) {
-  std::string text;
-  for (const Rational& x : row) text += (text.empty() ? "" : " ") + to_string(x);
-  return text;
-}
-
-Json polytope_to_json(Polytope polytope) {
-  // Lengths count relative to each other only: integers are shorter.
-  Integer scale = denominator(polytope.unit);
-  for (const auto& vector : polytope.vectors) {
-    for (const Rational& x : vector) scale = lcm(scale, denominator(x));
-  }
-  polytope.unit *= scale;
-  for (auto& vector : polytope.vectors) {
-    for (Rational& x : vector) x *= scale;
-  }
-  Json vectors = Json::array();
-  for (const auto& vector : polytope.vectors) vectors.push_back(row_to_text(vector));
-  Json images = Json::array();
-  for (const auto& of_matrix : polytope.images) {
-    Json list = Json::array();
-    for (const SparseCombination& combination : of_matrix) {
-      std::vector<Rational> terms;
-      for (const auto& [index, c] : combination) terms.insert(terms.end(), {Rational(index), c});
-      list.push_back(row_to_text(terms));
-    }
-    images.push_back(std::move(list));
-  }
-  const std::size_t size = polytope.images.front().size() - polytope.vectors.size();
-  return {{"size", size}, {"unit", to_string(polytope.unit)}, {"vectors", vectors}, {"images", images}};
-}
-
-Json polytope_to_json(const PolytopeWitness& witness) {
-  Json json = Json::object();
-  if (!(witness.basis == RationalMatrix::identity(witness.basis.rows()) && witness.blocks.size() == 1)) {
-    json["basis"] = Json::array();
-    for (int i = 0; i < witness.basis.rows(); ++i) {
-      std::vector<Rational> row;
-      for (int j = 0; j < witness.basis.columns(); ++j) row.push_back(witness.basis(i, j));
-      json["basis"].push_back(row_to_text(row));
-    }
-  }
-  json["blocks"] = Json::array();
-  for (const Polytope& block : witness.blocks) json["blocks"].push_back(polytope_to_json(block));
-  return json;
-}
-
 Json leaf_to_json(const ProofLeaf& leaf, const VariableNames& names) {
   Json json{{"region", region_to_json(leaf.region, names)}};
   if (const auto* contraction = std::get_if<ContractionWitness>(&leaf.witness)) json["level"] = contraction->level;
-  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) json["polytope"] = polytope_to_json(*polytope);
+  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
+    json["polytope"] = {{"bound", to_string(polytope->norm.bound)}, {"norm", norm_to_json(polytope->norm)}};
+  }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) json["missing_factor"] = true;
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) json["word"] = word->word;
   if (const auto* ratio = std::get_if<RatioWitness>(&leaf.witness)) json["gamma"] = to_string(ratio->gamma);
@@ -202,7 +157,7 @@ std::string to_json(const Certificate& certificate) {
                   {"verdict", to_string(certificate.verdict)},
                   {"theorem", to_string(certificate.theorem)},
                   {"proof", proof_to_json(certificate)}};
-  return json.dump(1) + "\n";
+  return certificate_text(json);
 }
 
 }  // namespace limes

@@ -31,10 +31,9 @@ std::string to_string(Theorem theorem);
 struct ContractionWitness {
   int level = 1;
 };
-/// A norm in which all matrices of section_hull() on the leaf are contractions (U1): one polytope for every diagonal block in a basis.
+/// A norm of bound < 1 for all matrices of section_hull() on the leaf (U1).
 struct PolytopeWitness {
-  RationalMatrix basis;
-  std::vector<Polytope> blocks;
+  PolytopeNorm norm;
 };
 /// sigma^{m+1} does not divide the symbol at any point of the leaf (U2).
 struct MissingFactorWitness {};

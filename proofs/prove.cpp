@@ -79,7 +79,7 @@ std::string describe_leaf(const ProofLeaf& leaf, int m) {
   }
   if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
     std::size_t vectors = 0;
-    for (const Polytope& block : polytope->blocks) vectors += block.vectors.size();
+    for (const Polytope& block : polytope->norm.blocks) vectors += block.vectors.size();
     return fmt::format("sigma^{} divides the symbol and the difference scheme contracts in the norm of a polytope of {} vectors", m + 1,
                        vectors);
   }

@@ -20,20 +20,6 @@ struct Scheme {
   Polynomial denominator;
 };
 
-/// Norms of the diagonal blocks of the sections in a basis: the ball of each is the hull of +-vectors and of +-unit times the
-/// unit vectors. images[k][i] says which combination of the vectors is near the image of vector i under matrix k, the unit
-/// vectors counted last.
-struct PolytopeWitness {
-  struct Block {
-    std::size_t size = 0;
-    mpz_class unit;
-    std::vector<std::vector<mpz_class>> vectors;
-    std::vector<std::vector<std::vector<std::pair<int, mpq_class>>>> images;
-  };
-  std::vector<std::vector<mpq_class>> basis;  ///< by rows; none: the unit vectors, and one block
-  std::vector<Block> blocks;
-};
-
 /// One piece of a proof: a part of the region and the witness for it (a level or a polytope for U1; a word, or none,
 /// for U2).
 struct Leaf {
@@ -41,7 +27,7 @@ struct Leaf {
   int level = 0;
   bool missing_factor = false;
   std::vector<int> word;
-  std::optional<PolytopeWitness> polytope;
+  const nlohmann::json* polytope = nullptr;  ///< in the certificate, which outlives this
 };
 
 /// f = sum_s coefficients[s] lambda^s, variables: the parameters, then gamma.
@@ -102,7 +88,7 @@ LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf
 void prove_symbol(const LocalScheme& scheme);
 double norm_work(const LocalScheme& scheme, int level);
 void prove_norm(const LocalScheme& scheme, int level);
-void prove_polytope(const LocalScheme& scheme, const PolytopeWitness& witness, Budget& budget);
+void prove_polytope_leaf(const LocalScheme& scheme, const nlohmann::json& polytope, Budget& budget);
 double u2_work(const LocalScheme& scheme, const Leaf& leaf);
 void prove_u2(const LocalScheme& scheme, bool interpolatory, const Leaf& leaf, Budget& budget);
 

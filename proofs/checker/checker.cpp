@@ -89,7 +89,7 @@ void prove_leaves(const Certificate& certificate, Budget& budget) {
     if (!smooth) return prove_u2(local, certificate.interpolatory, leaf, budget);
     prove_symbol(local);
     if (leaf.polytope)
-      prove_polytope(local, *leaf.polytope, budget);
+      prove_polytope_leaf(local, *leaf.polytope, budget);
     else
       prove_norm(local, leaf.level);
   });

@@ -1,268 +1,211 @@
 // SPDX-License-Identifier: MIT
 //
-// A polytope norm in which the difference scheme contracts. On the closed leaf b = B / D with Bernstein coefficients
-// B_I, D_I > 0, so b is a convex combination of the B_I / D_I, with weights that do not depend on the entry; so are its
-// finite sections, and their diagonal blocks in a block triangular form. A norm of each block in which all M_{I,e} are
-// less than 1 therefore makes all products of sections tend to 0: the joint spectral radius of a block triangular
-// family is the greatest of those of its diagonal blocks.
+// Polytope norms: let P be the convex hull of all multiples z v of vectors v_1 .. v_M, of their conjugates and of
+// unit e_1 .. unit e_n with |z| = 1 (z = +-1 when all are real). If B v_i and B (unit e_k) lie in R P for every matrix of a family, then B P is in R P,
+// so that all products of length l have norm <= R^l (Guglielmi & Protasov 2013). Membership is shown by a combination:
+// for the exact remainder r = B v_i - sum_j c_j v_j, sum_j |c_j| + ||r||_1 / unit <= R.
 #include "proofs/checker/polytope.hpp"
 
-#include <algorithm>
+#include "proofs/checker/json.hpp"
 
 namespace limes::checker {
 namespace {
 
-using Rows = std::vector<std::vector<mpq_class>>;
+constexpr std::size_t max_size = 64, max_vectors = 20000, max_matrices = 64;
 
-constexpr std::size_t max_size = 64;  // of the sections
+mpq_class read_number(const Json& value, const std::string& step, const std::string& what, Budget& budget) {
+  if (!value.is_string()) throw Rejected{step, what + " needs strings as numbers"};
+  const auto& text = value.get_ref<const std::string&>();
+  budget.work(500 + 2. * static_cast<double>(text.size()) * static_cast<double>(text.size()));
+  budget.hold(100 + 2. * static_cast<double>(text.size()));
+  return read_rational(text, step);
+}
 
-/// "1/2 -3 0": what stands between single blanks.
-std::vector<std::string_view> words(const Reader& reader, const Json& json, const std::string& what) {
-  const std::string_view text = reader.text(json, what);
-  std::vector<std::string_view> result;
-  for (std::size_t begin = 0; !text.empty() && begin <= text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    result.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+/// An upper bound of sqrt(x^2 + y^2), less than 2^-63 above it.
+mpq_class modulus(const mpq_class& x, const mpq_class& y, Budget& budget) {
+  if (y == 0) return abs(x);
+  const double size = limbs(x) + limbs(y);
+  budget.work(2000 + 20 * size * size);
+  const mpq_class square = x * x + y * y;
+  mpz_class scaled = square.get_num() << 128, root;
+  mpz_cdiv_q(scaled.get_mpz_t(), scaled.get_mpz_t(), square.get_den_mpz_t());
+  mpz_sqrt(root.get_mpz_t(), scaled.get_mpz_t());
+  mpq_class result(root + 1, mpz_class(1) << 64);
+  result.canonicalize();
   return result;
 }
 
-mpq_class read_number(std::string_view text, Budget& budget) {
-  budget.work(500 + 2. * static_cast<double>(text.size() * text.size()));
-  budget.hold(64 + static_cast<double>(text.size()));
-  return read_rational(text, "proof");
+struct Vector {
+  std::vector<mpq_class> real, imaginary;  ///< the latter empty for real vectors
+};
+
+struct Polytope {
+  std::vector<Vector> vectors;
+  mpq_class unit;
+};
+
+/// x -= c y, or c conj(y).
+void subtract(Vector& x, const mpq_class& re, const mpq_class& im, const Vector& y, bool conjugated, Budget& budget) {
+  const mpq_class minus_re = -re, minus_im = -im;
+  for (std::size_t i = 0; i < y.real.size(); ++i) {
+    add_product(x.real[i], minus_re, y.real[i], budget);
+    if (im != 0) add_product(x.imaginary[i], minus_im, y.real[i], budget);
+    if (y.imaginary.empty()) continue;
+    add_product(x.real[i], conjugated ? minus_im : im, y.imaginary[i], budget);
+    add_product(x.imaginary[i], conjugated ? re : minus_re, y.imaginary[i], budget);
+  }
 }
 
-/// Rows of rationals of one length.
-Rows read_rows(const Reader& reader, const Json& json, std::size_t length, const std::string& what, Budget& budget) {
-  Rows rows;
-  for (const Json& row : json) {
-    const auto numbers = words(reader, row, what);
-    if (numbers.size() != length) reader.fail("needs rows of " + std::to_string(length) + " rationals as " + what);
-    rows.emplace_back();
-    for (const auto number : numbers) rows.back().push_back(read_number(number, budget));
-  }
-  return rows;
-}
-
-PolytopeWitness::Block read_block(const Json& json, const std::string& where, Budget& budget) {
-  const Reader reader(json, "proof", where, {"size", "unit", "vectors", "images"});
-  PolytopeWitness::Block block;
-  block.size = static_cast<std::size_t>(reader.integer(reader.at("size"), "size", 1, max_size));
-  const mpq_class unit = read_number(reader.text(reader.at("unit"), "unit"), budget);
-  if (unit <= 0) reader.fail("needs a positive unit");
-  const Rows vectors = read_rows(reader, reader.list("vectors", 0, 100000), block.size, "vectors", budget);
-
-  // Only ratios of lengths matter: all are multiplied by one number that makes them integers.
-  mpz_class scale = unit.get_den();
-  for (const auto& vector : vectors)
-    for (const auto& x : vector) {
-      budget.work(100 + 2 * limbs(scale) * limbs(x));
-      if (limbs(scale = lcm(scale, x.get_den())) > 10000) reader.fail("needs shorter common denominators");
-    }
-  const auto scaled = [&](const mpq_class& x) {
-    budget.work(100 + 2 * limbs(scale) * limbs(x));
-    budget.hold(16 + 8 * (limbs(scale) + limbs(x)));
-    return mpz_class(x.get_num() * (scale / x.get_den()));
-  };
-  block.unit = scaled(unit);
-  for (const auto& vector : vectors) {
-    block.vectors.emplace_back();
-    for (const auto& x : vector) block.vectors.back().push_back(scaled(x));
-  }
-
-  for (const Json& matrix : reader.list("images", 1, 100000)) {
-    if (!matrix.is_array() || matrix.size() != vectors.size() + block.size)
-      reader.fail("needs one combination for every vector and every unit vector in each list of images");
-    block.images.emplace_back();
-    for (const Json& terms : matrix) {
-      const auto numbers = words(reader, terms, "a combination");
-      if (numbers.size() % 2 != 0) reader.fail("needs an index before every coefficient in images");
-      auto& combination = block.images.back().emplace_back();
-      budget.hold(64);
-      for (std::size_t k = 0; k < numbers.size(); k += 2) {
-        const mpq_class index = read_number(numbers[k], budget);
-        if (index.get_den() != 1 || index < 0 || index >= vectors.size()) reader.fail("has an index of no vector in images");
-        combination.emplace_back(static_cast<int>(index.get_num().get_si()), read_number(numbers[k + 1], budget));
-      }
+Vector image(const RationalMatrix& b, const Vector& x, Budget& budget) {
+  const std::size_t n = b.rows;
+  Vector y{std::vector<mpq_class>(n), std::vector<mpq_class>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      add_product(y.real[i], b.at(i, j), x.real[j], budget);
+      if (!x.imaginary.empty()) add_product(y.imaginary[i], b.at(i, j), x.imaginary[j], budget);
     }
   }
-  return block;
+  return y;
 }
 
-/// The inverse, by Gauss and Jordan. \throws Rejected when there is none
-Rows inverse(Rows a) {
-  const std::size_t n = a.size();
-  Rows result(n, std::vector<mpq_class>(n));
-  for (std::size_t k = 0; k < n; ++k) result[k][k] = 1;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    while (pivot < n && a[pivot][k] == 0) ++pivot;
-    if (pivot == n) throw Rejected{"polytope", "the basis is no basis"};
-    std::swap(a[k], a[pivot]);
-    std::swap(result[k], result[pivot]);
-    const mpq_class factor = 1 / a[k][k];
-    for (Rows* rows : {&a, &result})
-      for (auto& x : (*rows)[k]) x *= factor;
-    for (std::size_t i = 0; i < n; ++i) {
-      const mpq_class multiple = a[i][k];
-      if (i == k || multiple == 0) continue;
-      for (Rows* rows : {&a, &result})
-        for (std::size_t j = 0; j < n; ++j) (*rows)[i][j] -= multiple * (*rows)[k][j];
-    }
+/// \throws Rejected when sum |c_j| + ||B x - sum c_j v_j||_1 / unit > bound
+void prove_image(const RationalMatrix& b, const Vector& x, const Json& terms, const Polytope& polytope, const mpq_class& bound,
+                 const std::string& where, Budget& budget) {
+  const std::string step = "polytope";
+  const std::size_t count = polytope.vectors.size();
+  if (!terms.is_array() || terms.size() > count) throw Rejected{step, where + ": needs a list of terms"};
+  Vector rest = image(b, x, budget);
+  mpq_class sum = 0;
+  const mpq_class one = 1;
+  for (const Json& term : terms) {
+    if (!term.is_array() || term.size() < 2 || term.size() > 3 || !term[0].is_number_unsigned())
+      throw Rejected{step, where + ": a term is [index, number] or [index, number, number]"};
+    const std::uint64_t index = term[0].get<std::uint64_t>();
+    if (index >= 2 * count) throw Rejected{step, where + ": a term has an index that is too large"};
+    const mpq_class re = read_number(term[1], step, where, budget);
+    const mpq_class im = term.size() == 3 ? read_number(term[2], step, where, budget) : mpq_class(0);
+    subtract(rest, re, im, polytope.vectors[index % count], index >= count, budget);
+    add_product(sum, one, modulus(re, im, budget), budget);
   }
-  return result;
+  mpq_class remainder = 0;
+  for (const auto* part : {&rest.real, &rest.imaginary})
+    for (const mpq_class& entry : *part) add_product(remainder, one, abs(entry), budget);
+  budget.work(1000 + 20 * limbs(remainder) * limbs(polytope.unit));
+  remainder /= polytope.unit;
+  add_product(sum, one, remainder, budget);
+  budget.work(100 + 20 * limbs(sum) * limbs(bound));
+  if (sum > bound) throw Rejected{step, where + ": the image is longer than the bound"};
 }
 
-Rows product(const Rows& x, const Rows& y) {
-  Rows result(x.size(), std::vector<mpq_class>(y[0].size()));
-  for (std::size_t i = 0; i < x.size(); ++i)
-    for (std::size_t k = 0; k < y.size(); ++k)
-      for (std::size_t j = 0; x[i][k] != 0 && j < y[0].size(); ++j) result[i][j] += x[i][k] * y[k][j];
-  return result;
-}
-
-std::size_t section_size(const LocalScheme& scheme) {
-  const std::size_t width = scheme.quotient.count() - 1, q = static_cast<std::size_t>(scheme.arity - 1);
-  return std::max<std::size_t>(1, (width + q - 1) / q);
-}
-
-/// (M_{I,e})_{ij} = B_{e + pj - i, I} / D_I. Scaled Bernstein coefficients have one binomial factor for both.
-Rows section(const LocalScheme& scheme, std::size_t place, int letter) {
-  const Bernstein& b = scheme.quotient;
-  const long n = static_cast<long>(section_size(scheme)), count = static_cast<long>(b.count());
-  Rows result(static_cast<std::size_t>(n), std::vector<mpq_class>(static_cast<std::size_t>(n)));
-  for (long i = 0; i < n; ++i) {
-    // The index set is invariant: the entry is 0 for i in it and every j outside of it.
-    for (long j = -count - n; j <= count + n; ++j) {
-      const long k = letter + scheme.arity * j - i;
-      if (k < 0 || k >= count) continue;
-      const mpz_class& entry = b.coefficients[static_cast<std::size_t>(k) * b.size() + place];
-      if (j >= 0 && j < n) {
-        mpq_class& x = result[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-        x = mpq_class(entry, scheme.denominator.coefficients[place]);
-        x.canonicalize();
-      } else if (entry != 0) {
-        throw Rejected{"polytope", "the section is not invariant"};
-      }
-    }
-  }
-  return result;
-}
-
-/// sum |c_j| + ||M v - sum c_j v_j||_1 / unit < 1 for every vector v and for the unit vectors times `unit`: the norm whose
-/// ball is the symmetric hull of all of them has ||M|| < 1.
-void prove_contraction(const Rows& matrix, const PolytopeWitness::Block& block, std::size_t index, Budget& budget) {
-  const std::size_t n = block.size;
-  mpz_class d = 1;
-  for (const auto& row : matrix)
-    for (const auto& x : row) {
-      budget.work(200 + 2 * limbs(d) * limbs(x));
-      d = lcm(d, x.get_den());
-    }
-  double greatest = limbs(d), longest = limbs(block.unit);
-  for (const auto& row : matrix)
-    for (const auto& x : row) greatest = std::max(greatest, limbs(x) + limbs(d));
-  for (const auto& vector : block.vectors)
-    for (const auto& x : vector) longest = std::max(longest, limbs(x));
-  std::vector<std::vector<mpz_class>> integers(n, std::vector<mpz_class>(n));  // d M
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) integers[i][j] = matrix[i][j].get_num() * (d / matrix[i][j].get_den());
-
-  for (std::size_t v = 0; v < block.vectors.size() + n; ++v) {
-    const auto& combination = block.images[index][v];
-    mpz_class q = 1, sum = 0, rest = 0, entry;
-    double coefficients = 2;
-    for (const auto& [j, c] : combination) coefficients += limbs(c);
-    const auto terms = static_cast<double>(combination.size()), size = static_cast<double>(n);
-    budget.work(terms * (300 + 2 * coefficients * coefficients) +
-                size * (size * cost(greatest, longest) + terms * cost(coefficients, longest) +
-                        2 * cost(greatest + coefficients, longest + coefficients)));
-    for (const auto& [j, c] : combination) q = lcm(q, c.get_den());
-    std::vector<mpz_class> multiples;  // q c_j
-    for (const auto& [j, c] : combination) {
-      multiples.push_back(c.get_num() * (q / c.get_den()));
-      sum += abs(multiples.back());
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      entry = 0;
-      if (v < block.vectors.size()) {
-        for (std::size_t j = 0; j < n; ++j) entry += integers[i][j] * block.vectors[v][j];
-      } else {
-        entry = integers[i][v - block.vectors.size()] * block.unit;
-      }
-      mpz_class combined = 0;
-      for (std::size_t k = 0; k < combination.size(); ++k)
-        combined += multiples[k] * block.vectors[static_cast<std::size_t>(combination[k].first)][i];
-      rest += abs(mpz_class(q * entry - d * combined));
-    }
-    if (sum * d * block.unit + rest >= q * d * block.unit)
-      throw Rejected{"polytope", "image " + std::to_string(v) + " of matrix " + std::to_string(index) +
-                                     " is not inside of the polytope"};
-  }
+void require(bool condition, const std::string& reason) {
+  if (!condition) throw Rejected{"polytope", reason};
 }
 
 }  // namespace
 
-PolytopeWitness read_polytope(const Json& json, const std::string& where, Budget& budget) {
-  std::vector<std::string> keys{"blocks"};
-  if (json.is_object() && json.contains("basis")) keys.emplace_back("basis");
-  const Reader reader(json, "proof", where + ": the polytope", keys);
-  PolytopeWitness witness;
-  for (const Json& block : reader.list("blocks", 1, max_size))
-    witness.blocks.push_back(read_block(block, where + ": block " + std::to_string(witness.blocks.size() + 1), budget));
-  if (keys.size() == 1) return witness;
-  const Json& basis = reader.list("basis", 1, max_size);
-  witness.basis = read_rows(reader, basis, basis.size(), "basis", budget);
-  return witness;
+void add_product(mpq_class& x, const mpq_class& y, const mpq_class& z, Budget& budget) {
+  if (y == 0 || z == 0) {
+    budget.work(10);
+    return;
+  }
+  const double size = limbs(x) + limbs(y) + limbs(z);
+  budget.work(150 + 4 * size * size);
+  x += y * z;
 }
 
-void prove_polytope(const LocalScheme& scheme, const PolytopeWitness& witness, Budget& budget) {
-  if (scheme.quotient.count() == 0) return;  // b = 0
-  const auto& d = scheme.denominator.coefficients;
-  if (std::any_of(d.begin(), d.end(), [](const mpz_class& c) { return c <= 0; }))
-    throw Rejected{"denominator", "a polytope needs positive Bernstein coefficients of the denominator"};
-  const std::size_t n = section_size(scheme), matrices = d.size() * static_cast<std::size_t>(scheme.arity);
-  if (n > max_size) throw Rejected{"limits", "a polytope of more than " + std::to_string(max_size) + " dimensions"};
-  std::size_t sum = 0;
-  for (const auto& block : witness.blocks) {
-    sum += block.size;
-    if (block.images.size() != matrices)
-      throw Rejected{"polytope", "there are " + std::to_string(matrices) + " matrices, not " +
-                                     std::to_string(block.images.size())};
-  }
-  if (sum != n || (!witness.basis.empty() && witness.basis.size() != n))
-    throw Rejected{"polytope", "the blocks do not have the " + std::to_string(n) + " dimensions of the sections"};
-  if (witness.basis.empty() && witness.blocks.size() > 1) throw Rejected{"polytope", "blocks need a basis"};
+RationalMatrix product(const RationalMatrix& a, const RationalMatrix& b, Budget& budget) {
+  RationalMatrix result(a.rows, b.columns);
+  for (std::size_t i = 0; i < a.rows; ++i)
+    for (std::size_t k = 0; k < a.columns; ++k)
+      for (std::size_t j = 0; j < b.columns; ++j) add_product(result.at(i, j), a.at(i, k), b.at(k, j), budget);
+  return result;
+}
 
-  const auto size = static_cast<double>(n);
-  double basis = 0, entry = limbs(scheme.quotient) + limbs(scheme.denominator);
-  for (const auto& row : witness.basis)
-    for (const auto& x : row) basis += limbs(x);
-  // By Cramer's rule numbers of the elimination are about as long as all of the basis together.
-  if (basis > 0) budget.work(2 * size * size * size * (1000 + cost(2 * basis, 2 * basis)));
-  const Rows back = witness.basis.empty() ? Rows{} : inverse(witness.basis);
-  entry += 4 * basis;
-  for (std::size_t index = 0; index < matrices; ++index) {
-    const auto p = static_cast<std::size_t>(scheme.arity);
-    budget.work(size * (size + static_cast<double>(scheme.quotient.count())) * 500);
-    if (!back.empty()) budget.work(2 * size * size * size * (1000 + cost(entry, entry)));
-    Rows matrix = section(scheme, index / p, static_cast<int>(index % p));
-    if (!back.empty()) matrix = product(back, product(matrix, witness.basis));
-    std::size_t start = 0;
-    for (const auto& block : witness.blocks) {
-      Rows diagonal;
-      for (std::size_t i = start; i < start + block.size; ++i) {
-        for (std::size_t j = 0; j < start; ++j)
-          if (matrix[i][j] != 0) throw Rejected{"polytope", "the sections are not block triangular in the basis"};
-        diagonal.emplace_back(matrix[i].begin() + static_cast<std::ptrdiff_t>(start),
-                              matrix[i].begin() + static_cast<std::ptrdiff_t>(start + block.size));
+RationalMatrix read_matrix(const Json& json, const std::string& step, const std::string& what, Budget& budget) {
+  if (!json.is_array() || json.empty() || json.size() > max_size || !json[0].is_array() || json[0].empty() ||
+      json[0].size() > max_size)
+    throw Rejected{step, what + " is no list of 1 to " + std::to_string(max_size) + " rows"};
+  RationalMatrix result(json.size(), json[0].size());
+  for (std::size_t i = 0; i < result.rows; ++i) {
+    if (!json[i].is_array() || json[i].size() != result.columns) throw Rejected{step, what + " has rows of different lengths"};
+    for (std::size_t j = 0; j < result.columns; ++j) result.at(i, j) = read_number(json[i][j], step, what, budget);
+  }
+  return result;
+}
+
+Blocks diagonal_blocks(const std::vector<RationalMatrix>& family, const Json& json, Budget& budget) {
+  const std::string step = "blocks";
+  if (family.empty() || family.size() > max_matrices) throw Rejected{step, "the family is empty or too large"};
+  const std::size_t n = family[0].rows;
+  for (const auto& b : family)
+    if (n == 0 || n > max_size || b.rows != n || b.columns != n) throw Rejected{step, "the matrices are not square of one size"};
+  if (json.is_null()) return {{family}};
+  const Reader reader(json, step, "the block form", {"basis", "inverse", "sizes"});
+  const RationalMatrix basis = read_matrix(reader.at("basis"), step, "the basis", budget);
+  const RationalMatrix inverse = read_matrix(reader.at("inverse"), step, "the inverse", budget);
+  if (basis.rows != n || basis.columns != n || inverse.rows != n || inverse.columns != n)
+    reader.fail("has a basis of another size");
+  const RationalMatrix identity = product(inverse, basis, budget);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (identity.at(i, j) != (i == j ? 1 : 0)) reader.fail("has an inverse that is none");
+  std::vector<std::size_t> ends;
+  std::size_t end = 0;
+  for (const Json& size : reader.list("sizes", 1, n))
+    ends.push_back(end += static_cast<std::size_t>(reader.integer(size, "a size", 1, static_cast<int>(n))));
+  if (end != n) reader.fail("has sizes that do not add up");
+
+  Blocks result{std::vector<std::vector<RationalMatrix>>(ends.size())};
+  for (const auto& b : family) {
+    const RationalMatrix c = product(product(inverse, b, budget), basis, budget);
+    for (std::size_t k = 0, first = 0; k < ends.size(); first = ends[k++]) {
+      RationalMatrix block(ends[k] - first, ends[k] - first);
+      for (std::size_t i = first; i < n; ++i) {
+        for (std::size_t j = first; j < ends[k]; ++j) {
+          if (i < ends[k])
+            block.at(i - first, j - first) = c.at(i, j);
+          else if (c.at(i, j) != 0)
+            reader.fail("is not block triangular");
+        }
       }
-      prove_contraction(diagonal, block, index, budget);
-      start += block.size;
+      result.families[k].push_back(std::move(block));
     }
   }
+  return result;
+}
+
+void prove_polytope(const std::vector<RationalMatrix>& family, const mpq_class& bound, const Json& json, Budget& budget) {
+  const Reader reader(json, "polytope", "a polytope", {"vectors", "unit", "images"});
+  const std::size_t n = family.at(0).rows;
+  Polytope polytope;
+  polytope.unit = read_number(reader.at("unit"), "polytope", "the unit", budget);
+  require(polytope.unit > 0, "the unit is not positive");
+  for (const Json& vector : reader.list("vectors", 0, max_vectors)) {
+    require(vector.is_array() && (vector.size() == n || vector.size() == 2 * n), "a vector has a wrong length");
+    Vector v;
+    for (const Json& entry : vector)
+      (v.real.size() < n ? v.real : v.imaginary).push_back(read_number(entry, "polytope", "a vector", budget));
+    polytope.vectors.push_back(std::move(v));
+  }
+  const std::size_t count = polytope.vectors.size();
+  const Json& images = reader.list("images", family.size(), family.size());
+  for (std::size_t e = 0; e < family.size(); ++e) {
+    require(images[e].is_array() && images[e].size() == count + n, "the images of a matrix have a wrong number");
+    for (std::size_t i = 0; i < count + n; ++i) {
+      Vector unit{std::vector<mpq_class>(n), {}};
+      if (i >= count) unit.real[i - count] = polytope.unit;
+      const Vector& x = i < count ? polytope.vectors[i] : unit;
+      const std::string where = "matrix " + std::to_string(e) + ", vector " + std::to_string(i);
+      prove_image(family[e], x, images[e][i], polytope, bound, where, budget);
+    }
+  }
+}
+
+void prove_polytope_norm(const std::vector<RationalMatrix>& family, const mpq_class& bound, const Json& norm, Budget& budget) {
+  const Reader reader(norm, "polytope", "the norm", {"form", "blocks"});
+  const Blocks blocks = diagonal_blocks(family, reader.at("form"), budget);
+  const Json& polytopes = reader.list("blocks", blocks.families.size(), blocks.families.size());
+  for (std::size_t k = 0; k < blocks.families.size(); ++k) prove_polytope(blocks.families[k], bound, polytopes[k], budget);
 }
 
 }  // namespace limes::checker

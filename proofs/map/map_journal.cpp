@@ -4,7 +4,7 @@
 #include "proofs/certificate.hpp"
 #include "proofs/checker/checker.hpp"
 
-#include <nlohmann/json.hpp>
+#include "proofs/certificate_text_impl.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -68,7 +68,7 @@ MapCell piece_from_json(const Json& json, const VariableNames& names, const Json
       certificate.at("verdict") != "certified") {
     throw InputError("the certificate proves something else");
   }
-  piece.certificate = certificate.dump(1) + "\n";
+  piece.certificate = certificate_text(certificate);
   if (const checker::Result result = checker::check(piece.certificate); !result.valid) {
     throw InputError(fmt::format("the certificate is invalid: {}: {}", result.step, result.reason));
   }

@@ -2,7 +2,7 @@
 
 #include "algebra/error.hpp"
 
-#include <nlohmann/json.hpp>
+#include "proofs/certificate_text_impl.hpp"
 
 namespace limes {
 namespace {
@@ -42,7 +42,7 @@ std::optional<std::string> merge_certificates(const std::vector<std::string>& ce
       }
     }
     if (!result) return std::nullopt;
-    return result->dump(1) + "\n";
+    return certificate_text(*result);
   } catch (const Json::exception& error) {
     throw DomainError(fmt::format("merge_certificates: {}", error.what()));
   }

@@ -82,7 +82,7 @@ std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& bo
   static const Rational bound = 1 - power(Rational(2), -20);
   std::optional<PolytopeNorm> norm = find_polytope(*sections, bound, limits_.polytope, stop_);
   if (!norm) return std::nullopt;
-  return PolytopeWitness{std::move(norm->form.basis), std::move(norm->blocks)};
+  return PolytopeWitness{std::move(*norm)};
 }
 
 }  // namespace limes

@@ -39,7 +39,9 @@ TEST(PolytopeNorm, GoldenRatioPairToSixDigits) {
 
 TEST(PolytopeNorm, RotationHasAComplexLeadingEigenvalue) {
   const MatrixFamily family{matrix({{Rational(3) / 5, Rational(-4) / 5}, {Rational(4) / 5, Rational(3) / 5}})};
-  EXPECT_TRUE(find_polytope(family, Rational(100001) / 100000, {}, {}));
+  const auto norm = find_polytope(family, Rational(1000000001) / 1000000000, {}, {});
+  ASSERT_TRUE(norm);
+  EXPECT_EQ(norm->blocks[0].vectors.size(), 1u);  // a complex one: its multiples are a circle
   EXPECT_FALSE(find_polytope(family, Rational(99) / 100, {200, 64}, {}));
 }
 

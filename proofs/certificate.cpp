@@ -1,7 +1,6 @@
 #include "proofs/certificate.hpp"
 
 #include "algebra/error.hpp"
-
 #include "proofs/certificate_text_impl.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
 

@@ -2,9 +2,8 @@
 
 #include "algebra/error.hpp"
 #include "proofs/certificate.hpp"
-#include "proofs/checker/checker.hpp"
-
 #include "proofs/certificate_text_impl.hpp"
+#include "proofs/checker/checker.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,7 +1,6 @@
 #include "proofs/map/merge_certificates.hpp"
 
 #include "algebra/error.hpp"
-
 #include "proofs/certificate_text_impl.hpp"
 
 namespace limes {

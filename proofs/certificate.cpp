@@ -1,9 +1,9 @@
 #include "proofs/certificate.hpp"
 
 #include "algebra/error.hpp"
+#include "proofs/certificate_text_impl.hpp"
 #include "proofs/nonstationary/sequence_proof.hpp"
-
-#include <nlohmann/json.hpp>
+#include "proofs/spectral_radius/norm_json_impl.hpp"
 
 namespace limes {
 namespace {
@@ -19,6 +19,9 @@ Json region_to_json(const Box& region, const VariableNames& names) {
 Json leaf_to_json(const ProofLeaf& leaf, const VariableNames& names) {
   Json json{{"region", region_to_json(leaf.region, names)}};
   if (const auto* contraction = std::get_if<ContractionWitness>(&leaf.witness)) json["level"] = contraction->level;
+  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
+    json["polytope"] = {{"bound", to_string(polytope->norm.bound)}, {"norm", norm_to_json(polytope->norm)}};
+  }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) json["missing_factor"] = true;
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) json["word"] = word->word;
   if (const auto* ratio = std::get_if<RatioWitness>(&leaf.witness)) json["gamma"] = to_string(ratio->gamma);
@@ -183,7 +186,7 @@ std::string to_json(const Certificate& certificate) {
                   {"verdict", to_string(certificate.verdict)},
                   {"theorem", to_string(certificate.theorem)},
                   {"proof", proof_to_json(certificate)}};
-  return json.dump(1) + "\n";
+  return certificate_text(json);
 }
 
 }  // namespace limes

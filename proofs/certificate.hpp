@@ -3,6 +3,7 @@
 #include "analysis/nonstationary/asymptotic_bound.hpp"
 #include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/nonuniform/dominance_test.hpp"
+#include "analysis/spectral_radius/polytope_norm.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "schemes/scheme.hpp"
 
@@ -36,6 +37,10 @@ std::string to_string(Theorem theorem);
 struct ContractionWitness {
   int level = 1;
 };
+/// A norm of bound < 1 for all matrices of section_hull() on the leaf (U1).
+struct PolytopeWitness {
+  PolytopeNorm norm;
+};
 /// sigma^{m+1} does not divide the symbol at any point of the leaf (U2).
 struct MissingFactorWitness {};
 /// The product of the difference sections along the word has spectral radius >= 1 on the leaf (U2).
@@ -51,7 +56,7 @@ struct RatioWitness {
 /// One box of a proof with the witness that settles it.
 struct ProofLeaf {
   Box region;
-  std::variant<ContractionWitness, MissingFactorWitness, WordWitness, RatioWitness> witness;
+  std::variant<ContractionWitness, PolytopeWitness, MissingFactorWitness, WordWitness, RatioWitness> witness;
 };
 
 /// The witness data of Theorems U1, U2 and N3.

@@ -82,6 +82,12 @@ std::string describe_leaf(const ProofLeaf& leaf, int m) {
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) {
     return fmt::format("the sections B_e along the word {} have a product of spectral radius >= 1", fmt::join(word->word, " "));
   }
+  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
+    std::size_t vectors = 0;
+    for (const Polytope& block : polytope->norm.blocks) vectors += block.vectors.size();
+    return fmt::format("sigma^{} divides the symbol and the difference scheme contracts in the norm of a polytope of {} vectors", m + 1,
+                       vectors);
+  }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) return fmt::format("sigma^{} does not divide the symbol", m + 1);
   return fmt::format("sigma^{} divides the symbol and the difference scheme contracts", m + 1);
 }
@@ -178,7 +184,9 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
 
 }  // namespace
 
-Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+namespace {
+
+Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
   if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
   if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
@@ -197,10 +205,9 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     Attempt direct = attempt_statement(scheme, m, claim.negated, claim.region, std::nullopt, limits, stop);
     if (direct.proof) return conclude(scheme, claim, Outcome::certified, std::move(direct));
 
-    if (claim.negated && scheme.insertion_rule) {  // N1 certifies only: one knot sequence that is smooth refutes nothing
-      undecided.reason = describe_failure(direct, scheme.parameter_names());
-      return undecided;
-    }
+    undecided.reason = describe_failure(direct, scheme.parameter_names());
+    // N1 certifies only: one knot sequence that is smooth refutes nothing.
+    if (!try_opposite || (claim.negated && scheme.insertion_rule)) return undecided;
     std::vector<std::vector<Rational>> points = sample_points(claim.region);
     if (direct.failing_point) points.insert(points.begin(), *direct.failing_point);
     std::string opposite_reason;
@@ -211,7 +218,7 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
       if (opposite.proof) return conclude(scheme, claim, Outcome::refuted, std::move(opposite));
       if (opposite_reason.empty()) opposite_reason = describe_failure(opposite, scheme.parameter_names());
     }
-    undecided.reason = fmt::format("{}; {}", describe_failure(direct, scheme.parameter_names()), opposite_reason);
+    undecided.reason += "; " + opposite_reason;
   } catch (const LimitError& error) {
     undecided.reason = error.reason();
   } catch (const Interrupted& interrupted) {
@@ -219,6 +226,16 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     undecided.interrupted = true;
   }
   return undecided;
+}
+
+}  // namespace
+
+Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  return prove(scheme, claim, true, limits, stop);
+}
+
+Verdict prove_as_stated(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  return prove(scheme, claim, false, limits, stop);
 }
 
 }  // namespace limes

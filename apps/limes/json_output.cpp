@@ -146,6 +146,46 @@ std::string check_json(const std::vector<CheckedFile>& results) {
   return text({{"results", list}});
 }
 
+std::string map_json(const MapReport& report) {
+  const auto ends = [](const Interval& interval) { return Json{to_string(interval.lower), to_string(interval.upper)}; };
+  // With one parameter that varies its interval, otherwise the list of all that vary.
+  const auto extent = [&](const Box& box) {
+    Json json = Json::array();
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      if (!report.claim.region[k].is_point()) json.push_back(ends(box[k]));
+    }
+    return json.size() == 1 ? json[0] : json;
+  };
+  Json cells = Json::array();
+  for (const MapCell& cell : report.map.cells) {
+    cells.push_back({{"region", region_json(report.scheme, cell.region)},
+                     {"intervals", intervals_json(report.scheme, cell.region)},
+                     {"verdict", to_string(cell.verdict)}});
+  }
+  Json sets = Json::object();
+  for (const Outcome verdict : {Outcome::certified, Outcome::refuted, Outcome::undecided}) sets[to_string(verdict)] = Json::array();
+  Json certificates = Json::array();
+  for (std::size_t i = 0; i < report.unions.size(); ++i) {
+    const MapUnion& one = report.unions[i];
+    sets[to_string(one.verdict)].push_back(extent(one.region));
+    for (std::size_t k = 0; k < one.parts.size(); ++k) {
+      certificates.push_back({{"intervals", intervals_json(report.scheme, one.parts[k].region)},
+                              {"verdict", to_string(one.verdict)},
+                              {"certificate", report.files[i][k]}});
+    }
+  }
+  Json json{{"scheme", report.scheme.name},
+            {"claim", statement(report.claim)},
+            {"region", region_json(report.scheme, report.claim.region)},
+            {"cells", cells}};
+  json.update(sets);
+  json["certificates"] = certificates;
+  json["unknown_measure"] = to_string(report.map.unknown_measure);
+  json["unknown_decimal"] = to_decimal(report.map.unknown_measure, 6, Rounding::up);
+  json["complete"] = report.map.complete;
+  return text(json);
+}
+
 std::string matrix_json(const MatrixReport& report) {
   const SubdivisionMatrix& matrix = report.matrix;
   const auto factors = [&](const std::vector<CharacteristicFactor>& list) {

@@ -62,6 +62,20 @@ int run(int argc, char** argv) {
   norm_verb->add_option("--param", norm.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   add_common(*norm_verb, norm);
 
+  MapVerbOptions map;
+  CLI::App* map_verb = app.add_subcommand("map", "Map a parameter region: where a scheme is C^m, where not, proved cell by cell");
+  map_verb->add_option("scheme", map.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  map_verb->add_option("--claim", map.claim, "C<m>, e.g. C2")->required();
+  map_verb->add_option("--param", map.parameters, "Interval or value: w=[0,1/10]; one or two parameters vary")
+      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  map_verb->add_option("--tolerance", map.tolerance, "Measure that may stay unknown (default: a thousandth of the region)")->type_name("T");
+  map_verb->add_option("--journal", map.journal, "File that keeps what is found: run again to continue after an interruption")
+      ->type_name("FILE");
+  map_verb->add_option("--certificates", map.certificates, "Directory for the certificates")->type_name("DIR")->capture_default_str();
+  map_verb->add_option("-o,--output", map.outputs, "Picture to write, by its ending: .svg, .pgf or .png; may be repeated")
+      ->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
+  add_common(*map_verb, map);
+
   MatrixOptions matrix;
   CLI::App* matrix_verb = app.add_subcommand("matrix", "Subdivision matrix at an isolated knot ratio and its characteristic polynomial");
   matrix_verb->add_option("scheme", matrix.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
@@ -122,6 +136,7 @@ int run(int argc, char** argv) {
   if (show_verb->parsed()) return run_show(show);
   if (verify_verb->parsed()) return run_verify(verify);
   if (check_verb->parsed()) return run_check(check);
+  if (map_verb->parsed()) return run_map(map);
   if (matrix_verb->parsed()) return run_matrix(matrix);
   if (dominance_verb->parsed()) return run_dominance(dominance);
   if (search_verb->parsed()) return run_search(search);

@@ -44,6 +44,16 @@ struct NormOptions : CommonOptions {
   std::vector<std::string> parameters;
 };
 
+struct MapVerbOptions : CommonOptions {
+  std::string scheme;
+  std::string claim;
+  std::vector<std::string> parameters;
+  std::string tolerance;  // empty: a thousandth of the region
+  std::filesystem::path journal;  // empty: none
+  std::filesystem::path certificates = "certificates";
+  std::vector<std::filesystem::path> outputs;
+};
+
 struct MatrixOptions : CommonOptions {
   std::string scheme;
   std::vector<std::string> parameters;
@@ -84,6 +94,7 @@ int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
 int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
+int run_map(const MapVerbOptions& options);
 int run_matrix(const MatrixOptions& options);
 int run_dominance(const DominanceOptions& options);
 int run_search(const SearchOptions& options);

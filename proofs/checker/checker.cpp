@@ -82,14 +82,16 @@ void prove_leaves(const Certificate& certificate, Budget& budget) {
   };
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     const LocalScheme local = localize(leaf);
-    budget.work(smooth ? u1_work(local, leaf.level) : u2_work(local, leaf));
+    budget.work(leaf.polytope ? 0 : smooth ? norm_work(local, leaf.level) : u2_work(local, leaf));
   });
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     const LocalScheme local = localize(leaf);
-    if (smooth)
-      prove_u1(local, leaf.level);
+    if (!smooth) return prove_u2(local, certificate.interpolatory, leaf, budget);
+    prove_symbol(local);
+    if (leaf.polytope)
+      prove_polytope_leaf(local, *leaf.polytope, budget);
     else
-      prove_u2(local, certificate.interpolatory, leaf, budget);
+      prove_norm(local, leaf.level);
   });
 }
 

@@ -150,6 +150,23 @@ std::string norm_json(const Rational& norm, int order, int level) {
                {"level", level}});
 }
 
+std::string tables_json(const std::vector<ComparedTable>& tables) {
+  Json list = Json::array();
+  for (const ComparedTable& table : tables) {
+    Json rows = Json::array();
+    for (const TableRow& row : table.rows) {
+      rows.push_back({{"entry", row.entry},
+                      {"published", row.published},
+                      {"computed", row.computed},
+                      {"digits", row.agreement.digits ? Json(*row.agreement.digits) : Json(nullptr)},
+                      {"status", to_string(row.status)},
+                      {"reason", row.reason}});
+    }
+    list.push_back({{"name", table.name}, {"title", table.title}, {"source", table.source}, {"rows", rows}, {"complete", !table.interrupted}});
+  }
+  return text({{"tables", list}});
+}
+
 std::string outputs_json(const std::vector<OutputFile>& outputs) {
   Json list = Json::array();
   for (const OutputFile& output : outputs) list.push_back({{"file", output.file}, {"kind", output.kind}});

@@ -3,6 +3,7 @@
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/verdict.hpp"
+#include "reports/tables/compare_table.hpp"
 #include "schemes/scheme.hpp"
 
 #include <string>
@@ -46,6 +47,7 @@ std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
 std::string matrix_json(const MatrixReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
+std::string tables_json(const std::vector<ComparedTable>& tables);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

@@ -39,4 +39,24 @@ std::string region_text(const Scheme& scheme, const Box& region) {
   return text.empty() ? "-" : text;
 }
 
+std::optional<Rational> take_setting(std::vector<std::string>& settings, const std::string& name) {
+  std::optional<Rational> value;
+  for (auto place = settings.begin(); place != settings.end();) {
+    if (!place->starts_with(name + "=")) {
+      ++place;
+      continue;
+    }
+    if (value) throw InputError(fmt::format("--param {}: '{}' is given twice", *place, name));
+    try {
+      const Interval interval = read_interval(place->substr(name.size() + 1));
+      if (!interval.is_point()) throw InputError("expected one value");
+      value = interval.lower;
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("--param {}: {}", *place, error.reason()));
+    }
+    place = settings.erase(place);
+  }
+  return value;
+}
+
 }  // namespace limes

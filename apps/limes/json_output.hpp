@@ -1,5 +1,6 @@
 #pragma once
 
+#include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/verdict.hpp"
@@ -34,6 +35,8 @@ struct MatrixReport {
   /// Parameters, then gamma.
   VariableNames names;
   SplitCharacteristicPolynomial split;
+  /// At one knot ratio, if asked for.
+  std::vector<ComplexRoot> eigenvalues;
 };
 
 struct OutputFile {

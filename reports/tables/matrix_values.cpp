@@ -9,32 +9,18 @@
 #include <fmt/format.h>
 
 namespace limes::table_impl {
-namespace {
-
-/// Takes gamma=VALUE out of the settings. \throws InputError when it is missing
-Rational take_ratio(std::vector<std::string>& settings) {
-  for (auto place = settings.begin(); place != settings.end(); ++place) {
-    if (!place->starts_with("gamma=")) continue;
-    const Interval ratio = read_interval(place->substr(6));
-    if (!ratio.is_point() || ratio.lower <= 0) throw InputError(fmt::format("--param {}: expected one positive ratio", *place));
-    settings.erase(place);
-    return ratio.lower;
-  }
-  throw InputError("'matrix' in a table needs the knot ratio, --param gamma=VALUE");
-}
-
-}  // namespace
 
 ComputedResult matrix_values(const TableCommand& command, const Stop&) {
   command.allow({"--param"});
   const Scheme scheme = load_scheme(command.operand());
   if (!scheme.insertion_rule) throw InputError(fmt::format("{} is no non-uniform scheme", scheme.name));
   std::vector<std::string> settings = command.parameters();
-  const Rational gamma = take_ratio(settings);
+  const std::optional<Rational> gamma = take_setting(settings, "gamma");
+  if (!gamma || *gamma <= 0) throw InputError("'matrix' in a table needs a positive knot ratio, --param gamma=VALUE");
   const Box region = region_from_settings(scheme, settings);
   if (!is_point(region)) throw InputError("'matrix' in a table needs one value of every parameter");
   std::vector<Rational> point = midpoint(region);
-  point.push_back(gamma);
+  point.push_back(*gamma);
   const SubdivisionMatrix matrix = SubdivisionMatrix::from_stencils(isolated_ratio_stencils(*scheme.insertion_rule, region));
   ComputedList modulus, re, im;
   for (const ComplexRoot& root : enclose_complex_roots(characteristic_polynomial(matrix.at(point)))) {

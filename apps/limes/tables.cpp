@@ -72,7 +72,7 @@ int run_tables(const TablesOptions& options) {
   if (options.json) {
     std::cout << tables_json(compared);
   } else if (!options.quiet || regressions > 0 || interrupted) {
-    std::cout << fmt::format("{} values: {} match, {} errata, {} regressions{}\n", counts[0] + counts[1] + counts[2], counts[0], counts[1],
+    std::cout << fmt::format("{} values: match {}, errata {}, regressions {}{}\n", counts[0] + counts[1] + counts[2], counts[0], counts[1],
                              regressions, interrupted ? "; stopped before the end" : "");
   }
   return regressions > 0 ? against_expectation : interrupted ? undecided_or_interrupted : all_as_expected;

@@ -49,7 +49,7 @@ class Tables(unittest.TestCase):
         for argument in (name, "./mine.toml", "."):
             run = self.tables(argument)
             self.assertEqual((run.returncode, run.stderr), (0, ""))
-            self.assertIn("5 values: 4 match, 1 errata, 0 regressions", run.stdout)
+            self.assertIn("5 values: match 4, errata 1, regressions 0", run.stdout)
         self.assertIn("ends at 0.19273", run.stdout)
 
     def test_json(self):

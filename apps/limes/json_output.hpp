@@ -1,10 +1,12 @@
 #pragma once
 
 #include "analysis/nonuniform/dominance_comparison.hpp"
+#include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/map/map_unions.hpp"
 #include "proofs/verdict.hpp"
+#include "reports/tables/compare_table.hpp"
 #include "schemes/scheme.hpp"
 
 #include <string>
@@ -35,6 +37,8 @@ struct MatrixReport {
   /// Parameters, then gamma.
   VariableNames names;
   SplitCharacteristicPolynomial split;
+  /// At one knot ratio, if asked for.
+  std::vector<ComplexRoot> eigenvalues;
 };
 
 struct DominanceReport {
@@ -70,6 +74,7 @@ std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
 std::string dominance_json(const std::vector<DominanceReport>& reports);
 std::string norm_json(const Rational& norm, int order, int level);
+std::string tables_json(const std::vector<ComparedTable>& tables);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

@@ -190,4 +190,14 @@ QuadMesh quad_mesh(const PolygonMesh& mesh) {
   return {std::move(points), std::move(corners), sharp};
 }
 
+PolygonMesh polygon_mesh(const QuadMesh& mesh) {
+  PolygonMesh result{mesh.points(), {}, {}};
+  const std::vector<MeshIndex>& c = mesh.corners();
+  for (std::size_t h = 0; h < c.size(); h += 4) result.faces.push_back({c[h], c[h + 1], c[h + 2], c[h + 3]});
+  for (MeshIndex h = 0; h < c.size(); ++h) {
+    if (mesh.sharp(mesh.edge(h)) && mesh.origin(h) < mesh.target(h)) result.sharp.emplace_back(mesh.origin(h), mesh.target(h));
+  }
+  return result;
+}
+
 }  // namespace limes

@@ -72,4 +72,6 @@ struct PolygonMesh {
 /// midpoints of its edges, and no vertex moves. \throws InputError as QuadMesh
 QuadMesh quad_mesh(const PolygonMesh& mesh);
 
+PolygonMesh polygon_mesh(const QuadMesh& mesh);
+
 }  // namespace limes

@@ -88,16 +88,19 @@ PolygonMesh read_obj_file(const std::filesystem::path& file) {
   return read_obj(text, file);
 }
 
-std::string to_obj(const QuadMesh& mesh) {
+std::string to_obj(const PolygonMesh& mesh) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
-  for (const Point3& p : mesh.points()) fmt::format_to(to, "v {} {} {}\n", p.x, p.y, p.z);
-  const std::vector<MeshIndex>& c = mesh.corners();
-  for (std::size_t h = 0; h < c.size(); h += 4) fmt::format_to(to, "f {} {} {} {}\n", c[h] + 1, c[h + 1] + 1, c[h + 2] + 1, c[h + 3] + 1);
-  for (MeshIndex h = 0; h < c.size(); ++h) {
-    if (mesh.sharp(mesh.edge(h)) && mesh.origin(h) < mesh.target(h)) fmt::format_to(to, "l {} {}\n", mesh.origin(h) + 1, mesh.target(h) + 1);
+  for (const Point3& p : mesh.points) fmt::format_to(to, "v {} {} {}\n", p.x, p.y, p.z);
+  for (const auto& face : mesh.faces) {
+    out.push_back('f');
+    for (const MeshIndex v : face) fmt::format_to(to, " {}", v + 1);
+    out.push_back('\n');
   }
+  for (const auto& [a, b] : mesh.sharp) fmt::format_to(to, "l {} {}\n", a + 1, b + 1);
   return fmt::to_string(out);
 }
+
+std::string to_obj(const QuadMesh& mesh) { return to_obj(polygon_mesh(mesh)); }
 
 }  // namespace limes

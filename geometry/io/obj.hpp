@@ -17,5 +17,6 @@ PolygonMesh read_obj(std::string_view text, const std::filesystem::path& file);
 
 /// Vertices, faces and sharp edges, numbers in the shortest decimals that are read back bit by bit.
 std::string to_obj(const QuadMesh& mesh);
+std::string to_obj(const PolygonMesh& mesh);
 
 }  // namespace limes

@@ -206,7 +206,7 @@ TEST(TensorNet, SphereWithPolesIsASphere) {
   });
   net.across_rows = NetEnds::poles;
   net.across_columns = NetEnds::periodic;
-  const TensorNet fine = refine_net(net, same_angle(AngleType::trigonometric, pi / half), {5});
+  const TensorNet fine = refine_net(net, same_angle(AngleType::trigonometric, pi / half), {3});
   for (const Point3& p : fine.points) EXPECT_NEAR(norm(p), 1, 1e-13);
   const QuadMesh mesh = quad_mesh(polygon_mesh(fine));
   EXPECT_EQ(mesh.vertices() + mesh.faces(), mesh.edges() + 2);

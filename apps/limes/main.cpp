@@ -76,13 +76,13 @@ int run(int argc, char** argv) {
   refine_verb->add_option("--levels", refine.levels, "How often to refine")->check(CLI::Range(0, 60))->type_name("N")->capture_default_str();
   refine_verb->add_option("-o,--output", refine.outputs, "File to write, by its ending: .csv, .svg, .pgf or .png; may be repeated")
       ->required()->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
-  refine_verb->add_option("--param", refine.parameters, "Parameter value: w=1/16")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  refine_verb->add_option("--param", refine.parameters, "Parameter value: w=1/16; of a nonstationary scheme theta=2*pi/7, type=hyperbolic")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   refine_verb->add_option("--knots", refine.knots,
                           "Of a non-uniform scheme: uniform, chordal, centripetal (default), or a file with one knot a line")
       ->type_name("SPACING|FILE");
   refine_verb->add_flag("--closed", refine.closed, "The polygon is closed: its first point follows its last");
-  refine_verb->add_option("--ends", refine.ends, "Ends of an open polygon: extend it linearly (default of interpolatory schemes), or shrink")
-      ->check(CLI::IsMember({"extend", "shrink"}))->type_name("RULE");
+  refine_verb->add_option("--ends", refine.ends, "Ends of an open polygon: extend it linearly (default of interpolatory schemes), shrink, or (nonstationary) exact")
+      ->check(CLI::IsMember({"extend", "shrink", "exact"}))->type_name("RULE");
   refine_verb->add_option("--comb", refine.comb, "In pictures, a curvature comb with teeth of SCALE times the curvature")
       ->check(CLI::Range(-1e100, 1e100))->type_name("SCALE");
   add_common(*refine_verb, refine);

@@ -1,10 +1,12 @@
 #include "geometry/refine_mesh.hpp"
 
 #include "algebra/error.hpp"
+#include "geometry/refine_polygon.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace limes {
@@ -261,6 +263,20 @@ class Level {
 bool same(const std::array<FourPointWeights, 2>& w) { return w[0].outer == w[1].outer && w[0].inner == w[1].inner; }
 
 }  // namespace
+
+LevelWeights approx_level_weights(const SurfaceRule& rule, const std::array<EdgeAngle, 2>& angles, int levels) {
+  std::vector<std::array<FourPointWeights, 2>> weights{std::size_t(levels)};
+  for (std::size_t direction = 0; direction < 2; ++direction) {
+    const EdgeAngle& angle = angles[direction];
+    const NonstationaryRule steps = approx_nonstationary_rule(rule.sequence, angle.type, angle.theta, levels);
+    for (std::size_t level = 0; level < weights.size(); ++level) {
+      const double edge = std::ldexp(approx_double(angle.theta), -int(level));
+      const std::vector<double>& mask = steps.steps[level].mask;  // (outer, 0, inner, 1, inner, 0, outer)
+      weights[level][direction] = {mask.front(), mask[2], angle.type == AngleType::trigonometric ? std::cos(edge) : std::cosh(edge)};
+    }
+  }
+  return [weights = std::move(weights)](int level) { return weights.at(std::size_t(level)); };
+}
 
 QuadMesh refine_mesh(QuadMesh mesh, const LevelWeights& weights, const MeshRefinement& refinement, const Stop& stop) {
   double vertices = double(mesh.vertices()), edges = double(mesh.edges()), faces = double(mesh.faces());

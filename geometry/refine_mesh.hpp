@@ -2,15 +2,34 @@
 
 #include "algebra/stop.hpp"
 #include "geometry/quad_mesh.hpp"
-#include "schemes/surface/unified_weights.hpp"
+#include "schemes/surface/surface_rule.hpp"
 
 #include <array>
 #include <functional>
 
 namespace limes {
 
+/// The weights (outer, inner, inner, outer) of one level of a four-point rule.
+struct FourPointWeights {
+  double outer = 0, inner = 0;
+  /// Cosine, or hyperbolic cosine, of the angle of one edge before the level.
+  double edge_cosine = 1;
+
+  /// Of the virtual points at extraordinary vertices.
+  double kappa() const { return -outer / inner; }
+};
+
+/// The angle of an edge of the control mesh. [0 means the polynomial case]
+struct EdgeAngle {
+  AngleType type = AngleType::trigonometric;
+  Rational theta;
+};
+
 /// The weights that make level `level` + 1, for edges of direction 0 and of direction 1 (see below).
 using LevelWeights = std::function<std::array<FourPointWeights, 2>(int level)>;
+
+/// The weights of levels 0 .. levels - 1 for one angle in each direction. \throws DomainError at a pole
+LevelWeights approx_level_weights(const SurfaceRule& rule, const std::array<EdgeAngle, 2>& angles, int levels);
 
 /// How a mesh continues beyond its boundary, and a crease beyond its sharp edges: q_{-1} = 2 q_0 - q_1 (linear), or
 /// q_{-1} = (2+2c) q_0 - (2+4c) q_1 + (2+2c) q_2 - q_3 with the cosine c of an edge's angle, where these points exist (exact):

@@ -77,6 +77,7 @@ AngleType type_from_settings(const Scheme& scheme, const std::vector<std::string
 }
 
 void require_one_mask(const Scheme& scheme, const std::string& verb) {
+  if (scheme.surface) throw InputError(fmt::format("{} is a surface scheme: '{}' needs a scheme with one mask", scheme.name, verb));
   if (scheme.sequence) throw InputError(fmt::format("{} is nonstationary: '{}' needs a scheme with one mask", scheme.name, verb));
 }
 

@@ -3,6 +3,7 @@
 #include "algebra/error.hpp"
 #include "geometry/io/obj.hpp"
 #include "geometry/tensor_net.hpp"
+#include "schemes/catalogue.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +15,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-LevelWeights same_angle(AngleType type, double theta) {
-  return [=](int level) { return std::array{unified_weights(type, theta, level), unified_weights(type, theta, level)}; };
+LevelWeights two_angles(AngleType type_0, double theta_0, AngleType type_1, double theta_1) {
+  return approx_level_weights(*load_scheme("unified").surface, {EdgeAngle{type_0, Rational(theta_0)}, EdgeAngle{type_1, Rational(theta_1)}}, 8);
 }
+LevelWeights same_angle(AngleType type, double theta) { return two_angles(type, theta, type, theta); }
 
 PolygonMesh cube() {
   PolygonMesh mesh;
@@ -69,7 +71,7 @@ TEST(RefineMesh, AffineMapsCommute) {
 }
 
 TEST(RefineMesh, CubeKeepsItsSymmetriesEulerCharacteristicAndVertices) {
-  const QuadMesh mesh = refine_mesh(quad_mesh(cube()), same_angle(AngleType::polynomial, 0), {5});
+  const QuadMesh mesh = refine_mesh(quad_mesh(cube()), same_angle(AngleType::trigonometric, 0), {5});
   EXPECT_EQ(mesh.vertices() + mesh.faces(), mesh.edges() + 2);
   for (int k = 0; k < 8; ++k) EXPECT_EQ(mesh.point(MeshIndex(k)), cube().points[std::size_t(k)]);
   double least = 2, greatest = -2;
@@ -123,7 +125,7 @@ TEST(RefineMesh, CreasesAreCurvesOfTheirOwnVerticesOnly) {
   // A 5 x 5 grid folded along its middle row; the fold is sharp, so each half stays a plane.
   const TensorNet net = net_of(5, 5, [&](double m, double n) { return Point3{m, n, std::abs(m - 2)}; });
   PolygonMesh mesh = polygon_mesh(net);
-  const LevelWeights weights = same_angle(AngleType::polynomial, 0);
+  const LevelWeights weights = same_angle(AngleType::trigonometric, 0);
   const auto error = [&] {
     double greatest = 0;
     const QuadMesh fine = refine_mesh(quad_mesh(mesh), weights, {3});
@@ -136,9 +138,7 @@ TEST(RefineMesh, CreasesAreCurvesOfTheirOwnVerticesOnly) {
 }
 
 TEST(RefineMesh, TwoAnglesNeedDirections) {
-  const LevelWeights weights = [](int level) {
-    return std::array{unified_weights(AngleType::hyperbolic, 0.4, level), unified_weights(AngleType::trigonometric, 2 * pi / 9, level)};
-  };
+  const LevelWeights weights = two_angles(AngleType::hyperbolic, 0.4, AngleType::trigonometric, 2 * pi / 9);
   // One sheet of a hyperboloid: hyperbolic along, trigonometric around.
   TensorNet net = net_of(6, 9, [](double m, double n) {
     const double u = 0.4 * (m - 2.5), v = 2 * pi * n / 9;

@@ -100,4 +100,23 @@ std::vector<ExponentialFunction> reproduced_polynomials(const MaskSequence& sequ
   return space;
 }
 
+std::vector<std::pair<ExponentialFunction, MomentDefect>> first_failures(const MaskSequence& sequence, AngleType type, bool generates,
+                                                                         int max_frequency) {
+  using Wave = ExponentialFunction::Wave;
+  const Rational tau = parameter_tau(sequence);
+  if (denominator(tau) > max_tau_denominator) max_frequency = 0;
+  std::vector<std::pair<ExponentialFunction, MomentDefect>> failures;
+  for (int n = 0; n <= max_frequency; ++n) {
+    ExponentialFunction f{0, n, n == 0 ? Wave::none : type == AngleType::hyperbolic ? Wave::cosh : Wave::cos};
+    while (f.degree < 16 && holds(sequence, tau, f, generates, false)) ++f.degree;
+    for (int k = static_cast<int>(sequence.first_levels.size()); k >= 0; --k) {
+      std::vector<MomentDefect> found = defects(sequence.at_level(k), tau, f, generates);
+      if (found.empty()) continue;
+      failures.emplace_back(f, std::move(found.front()));
+      break;
+    }
+  }
+  return failures;
+}
+
 }  // namespace limes

@@ -48,4 +48,9 @@ std::vector<ExponentialFunction> reproduced_space(const MaskSequence& sequence, 
 /// The powers 1, y, .., y^j that every step reproduces at theta = 0, up to max_degree.
 std::vector<ExponentialFunction> reproduced_polynomials(const MaskSequence& sequence, int max_degree = 16);
 
+/// For each frequency up to max_frequency the first function that some step does not reproduce (generate) as an identity, with its
+/// first defect.
+std::vector<std::pair<ExponentialFunction, MomentDefect>> first_failures(const MaskSequence& sequence, AngleType type, bool generates,
+                                                                         int max_frequency = 2);
+
 }  // namespace limes

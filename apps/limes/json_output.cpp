@@ -1,5 +1,6 @@
 #include "apps/limes/json_output.hpp"
 
+#include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
 
@@ -45,6 +46,32 @@ Json symbol_json(const LaurentPolynomial& symbol, const VariableNames& names) {
   return {{"first_index", symbol.lowest()}, {"coefficients", coefficients}};
 }
 
+/// What a nonstationary scheme has beside its limit.
+Json sequence_json(const MaskSequence& sequence) {
+  const VariableNames names{sequence.level_parameter};
+  Json types = Json::object(), spaces = Json::object(), first_levels = Json::array();
+  for (const MaskSequence::Range& range : sequence.types) {
+    const std::string type = to_string(range.type);
+    types[type] = to_string(range.angles);
+    Json failures = Json::array();
+    for (const auto& [function, defect] : first_failures(sequence, range.type, false)) {
+      failures.push_back({{"function", to_string(function)},
+                          {"residue", defect.residue},
+                          {"moment", defect.moment},
+                          {"part", defect.part == MomentPart::even ? "even" : "odd"},
+                          {"defect", to_string(defect.value, {"c"})}});
+    }
+    Json reproduced = Json::array(), generated = Json::array();
+    for (const ExponentialFunction& f : reproduced_space(sequence, range.type, false)) reproduced.push_back(to_string(f));
+    for (const ExponentialFunction& f : reproduced_space(sequence, range.type, true)) generated.push_back(to_string(f));
+    spaces[type] = {{"reproduced", reproduced}, {"generated", generated}, {"not_reproduced", failures}};
+  }
+  for (const Mask& mask : sequence.first_levels) first_levels.push_back(symbol_json(mask.symbol, names));
+  return {{"angle", sequence.angle},     {"level_parameter", sequence.level_parameter},
+          {"types", types},              {"mask", symbol_json(sequence.mask.symbol, names)},
+          {"first_levels", first_levels}, {"spaces", spaces}};
+}
+
 }  // namespace
 
 std::string list_json(const std::vector<Scheme>& schemes) {
@@ -83,6 +110,7 @@ std::string show_json(const Scheme& scheme) {
             {"parameter_shift", to_string(degrees.parameter_shift, names)},
             {"interpolatory", interpolatory_index(mask).has_value()},
             {"claims", claims}};
+  if (scheme.sequence) json["sequence"] = sequence_json(*scheme.sequence);
   return text(json);
 }
 

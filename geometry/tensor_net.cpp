@@ -9,6 +9,9 @@
 namespace limes {
 namespace {
 
+/// Whether the first, or else the last, row is a pole.
+bool is_pole(NetEnds ends, bool first) { return ends == NetEnds::poles || (first && ends == NetEnds::first_pole); }
+
 void check(const TensorNet& net) {
   const auto need = [](bool holds, const std::string& reason) {
     if (!holds) throw InputError(reason);
@@ -17,10 +20,11 @@ void check(const TensorNet& net) {
        fmt::format("a net of {} rows and {} columns needs {} points, not {}", net.rows, net.columns, net.rows * net.columns, net.points.size()));
   need(net.rows >= (net.across_rows == NetEnds::periodic ? 3u : 2u), "the net has too few rows");
   need(net.columns >= (net.across_columns == NetEnds::periodic ? 3u : 2u), "the net has too few columns");
-  need(net.across_columns != NetEnds::poles, "the poles of a net are its first and last row");
-  if (net.across_rows != NetEnds::poles) return;
+  need(!is_pole(net.across_columns, true), "the poles of a net are its first and last row");
+  if (!is_pole(net.across_rows, true)) return;
   need(net.across_columns == NetEnds::periodic && net.columns % 2 == 0, "a net with poles needs an even number of periodic columns");
   for (const std::size_t m : {std::size_t{0}, net.rows - 1}) {
+    if (m > 0 && !is_pole(net.across_rows, false)) continue;
     for (std::size_t n = 1; n < net.columns; ++n)
       need(net.at(m, n) == net.at(m, 0), fmt::format("row {} is no pole: its points differ", m + 1));
   }
@@ -51,12 +55,12 @@ TensorNet with_new_rows(const TensorNet& net, const FourPointWeights& w, MeshBou
     const auto before = [&](std::size_t m) {
       if (m > 0) return at(m - 1);
       if (net.across_rows == NetEnds::periodic) return at(old - 1);
-      return net.across_rows == NetEnds::poles ? net.at(1, over) : beyond(old, false, at, w, boundary);
+      return is_pole(net.across_rows, true) ? net.at(1, over) : beyond(old, false, at, w, boundary);
     };
     const auto after = [&](std::size_t m) {
       if (m + 1 < old) return at(m + 1);
       if (net.across_rows == NetEnds::periodic) return at(m + 1 - old);
-      return net.across_rows == NetEnds::poles ? net.at(old - 2, over) : beyond(old, true, at, w, boundary);
+      return is_pole(net.across_rows, false) ? net.at(old - 2, over) : beyond(old, true, at, w, boundary);
     };
     for (std::size_t m = 0; m < old; ++m) result.points[2 * m * columns + n] = at(m);
     for (std::size_t m = 0; 2 * m + 1 < result.rows; ++m) {
@@ -86,10 +90,9 @@ TensorNet refine_net(TensorNet net, const LevelWeights& weights, const MeshRefin
     const std::array<FourPointWeights, 2> w = weights(level);
     net = with_new_rows(net, w[0], refinement.boundary);
     net = transposed(with_new_rows(transposed(net), w[1], refinement.boundary));
-    if (net.across_rows != NetEnds::poles) continue;
-    for (std::size_t n = 1; n < net.columns; ++n) {  // but for rounding they are points already
-      net.points[n] = net.points.front();
-      net.points[net.points.size() - n] = net.at(net.rows - 1, 0);
+    for (std::size_t n = 1; n < net.columns; ++n) {  // but for rounding, poles are points already
+      if (is_pole(net.across_rows, true)) net.points[n] = net.points.front();
+      if (is_pole(net.across_rows, false)) net.points[net.points.size() - n] = net.at(net.rows - 1, 0);
     }
   }
   return net;
@@ -97,11 +100,10 @@ TensorNet refine_net(TensorNet net, const LevelWeights& weights, const MeshRefin
 
 PolygonMesh polygon_mesh(const TensorNet& net) {
   check(net);
-  const bool poles = net.across_rows == NetEnds::poles;
   PolygonMesh mesh;
   std::vector<MeshIndex> index(net.points.size());
   for (std::size_t m = 0; m < net.rows; ++m) {
-    const bool pole = poles && (m == 0 || m + 1 == net.rows);
+    const bool pole = (m == 0 && is_pole(net.across_rows, true)) || (m + 1 == net.rows && is_pole(net.across_rows, false));
     for (std::size_t n = 0; n < net.columns; ++n) {
       if (!pole || n == 0) mesh.points.push_back(net.at(m, n));
       index[m * net.columns + n] = MeshIndex(mesh.points.size() - 1);

@@ -10,8 +10,9 @@
 namespace limes {
 
 /// How a net ends in one direction: a boundary; the last row is followed by the first one, which is not repeated; or both end rows
-/// are poles, single points over which the net continues as q_{-k, n} = q_{k, n + N} with 2 N the number of columns.
-enum class NetEnds { open, periodic, poles };
+/// are poles, single points over which the net continues as q_{-k, n} = q_{k, n + N} with 2 N the number of columns; or only the first
+/// row is one.
+enum class NetEnds { open, periodic, poles, first_pole };
 
 /// Points q_{m, n}, m = 0 .. rows - 1, n = 0 .. columns - 1, row after row.
 struct TensorNet {
@@ -30,7 +31,7 @@ struct TensorNet {
 /// Interrupted.
 TensorNet refine_net(TensorNet net, const LevelWeights& weights, const MeshRefinement& refinement, const Stop& stop = Stop());
 
-/// The net as a mesh; the first and the last row become one vertex each, with triangles, where they are poles.
+/// The net as a mesh; a row that is a pole becomes one vertex, with triangles.
 PolygonMesh polygon_mesh(const TensorNet& net);
 
 }  // namespace limes

@@ -87,7 +87,7 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(-1e100, 1e100))->type_name("SCALE");
   refine_verb->add_option("--net", refine.net, "Of a surface scheme: the data are a net of points, row after row, in a .csv file")->type_name("ROWSxCOLUMNS");
   refine_verb->add_option("--rows", refine.rows, "Whether the last row of a net is its end, is followed by the first, or both are poles")
-      ->check(CLI::IsMember({"open", "periodic", "poles"}))->type_name("ENDS");
+      ->check(CLI::IsMember({"open", "periodic", "poles", "first-pole"}))->type_name("ENDS");
   refine_verb->add_option("--columns", refine.columns, "The same for its columns")->check(CLI::IsMember({"open", "periodic"}))->type_name("ENDS");
   refine_verb->add_option("--azimuth", refine.azimuth, "In pictures of surfaces, the viewer's angle about the z axis, in degrees")
       ->check(CLI::Range(-360., 360.))->type_name("DEGREES");

@@ -76,7 +76,7 @@ std::array<EdgeAngle, 2> angles_from(const Scheme& scheme, const std::vector<std
 }
 
 NetEnds ends_from(const std::string& text) {
-  return text == "periodic" ? NetEnds::periodic : text == "poles" ? NetEnds::poles : NetEnds::open;
+  return text == "periodic" ? NetEnds::periodic : text == "poles" ? NetEnds::poles : text == "first-pole" ? NetEnds::first_pole : NetEnds::open;
 }
 
 /// "8x14"

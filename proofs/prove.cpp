@@ -188,6 +188,11 @@ namespace {
 
 Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
+  if (scheme.surface) {
+    Verdict verdict;
+    verdict.reason = "the smoothness of surface schemes is not decided by this claim";
+    return verdict;
+  }
   if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
   if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;

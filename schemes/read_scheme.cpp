@@ -3,6 +3,7 @@
 #include "algebra/error.hpp"
 #include "algebra/expression/expression.hpp"
 #include "algebra/number/read_rational.hpp"
+#include "schemes/catalogue.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/table_reader_impl.hpp"
 
@@ -241,6 +242,21 @@ void read_claim_type(TableReader& reader, const MaskSequence& sequence, Claim& c
   claim.region = {sequence.find(claim.type)->angles};
 }
 
+/// The curve scheme is one of the catalogue, or a file beside the surface scheme's own.
+void read_surface(TableReader reader, const std::filesystem::path& file, Scheme& scheme) {
+  const std::string curve = reader.text("curve");
+  const toml::node& place = reader.require("curve");
+  reader.finish();
+  const Scheme loaded = reader.located(place, "curve", [&] {
+    const bool is_file = curve.ends_with(".toml");
+    Scheme found = is_file ? read_scheme_file(file.parent_path() / curve) : load_scheme(curve);
+    if (!found.sequence) throw InputError(fmt::format("{} is no nonstationary scheme", curve));
+    return found;
+  });
+  scheme.surface = reader.located(place, "curve", [&] { return surface_rule(curve, *loaded.sequence); });
+  scheme.parameters = loaded.parameters;
+}
+
 Claim read_claim(TableReader reader, const Scheme& scheme) {
   const toml::node* text = reader.find("claim");
   const toml::node* smoothness = reader.find("smoothness");
@@ -316,11 +332,14 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
     scheme.kind = SchemeKind::nonuniform;
   } else if (kind_name == "nonstationary") {
     scheme.kind = SchemeKind::nonstationary;
+  } else if (kind_name == "surface") {
+    scheme.kind = SchemeKind::surface;
   } else if (kind_name != "uniform") {
-    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform, nonstationary)", kind_name));
+    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform, nonstationary, surface)", kind_name));
   }
   scheme.sources = read_keys(reader.text_or("source", ""));
   if (const toml::node* node = reader.find("parameters")) {
+    if (scheme.kind == SchemeKind::surface) reader.fail(*node, "the parameters of a surface scheme are those of its curve scheme");
     if (scheme.kind == SchemeKind::nonstationary) {
       reader.fail(*node, "the only parameter of a nonstationary scheme is its angle, whose range 'types' gives");
     }
@@ -328,6 +347,8 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
   }
   if (scheme.kind == SchemeKind::uniform) {
     read_uniform(reader.table(reader.require("uniform"), "[uniform]"), scheme);
+  } else if (scheme.kind == SchemeKind::surface) {
+    read_surface(reader.table(reader.require("surface"), "[surface]"), file, scheme);
   } else if (scheme.kind == SchemeKind::nonstationary) {
     read_nonstationary(reader.table(reader.require("nonstationary"), "[nonstationary]"), scheme);
   } else {

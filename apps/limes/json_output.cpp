@@ -92,6 +92,13 @@ std::string list_json(const std::vector<Scheme>& schemes) {
 }
 
 std::string show_json(const Scheme& scheme) {
+  if (scheme.surface) {
+    return text(Json{{"name", scheme.name},
+                     {"title", scheme.title},
+                     {"kind", to_string(scheme.kind)},
+                     {"source", scheme.sources},
+                     {"curve", scheme.surface->curve}});
+  }
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();
   const PolynomialDegrees degrees = polynomial_degrees(mask);

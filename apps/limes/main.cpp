@@ -110,9 +110,9 @@ int run(int argc, char** argv) {
   RefineOptions refine;
   CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
   refine_verb->add_option("scheme", refine.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
-  refine_verb->add_option("data", refine.data, "Points, one a line: numbers separated by commas")->required()->type_name("DATA.csv");
+  refine_verb->add_option("data", refine.data, "Points, one a line: numbers separated by commas; of a surface scheme a mesh (.obj) or a net of points")->required()->type_name("DATA");
   refine_verb->add_option("--levels", refine.levels, "How often to refine")->check(CLI::Range(0, 60))->type_name("N")->capture_default_str();
-  refine_verb->add_option("-o,--output", refine.outputs, "File to write, by its ending: .csv, .svg, .pgf or .png; may be repeated")
+  refine_verb->add_option("-o,--output", refine.outputs, "File to write, by its ending: .csv (of a surface: .obj), .svg, .pgf or .png; may be repeated")
       ->required()->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
   refine_verb->add_option("--param", refine.parameters, "Parameter value: w=1/16; of a nonstationary scheme theta=2*pi/7, type=hyperbolic")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   refine_verb->add_option("--knots", refine.knots,
@@ -123,6 +123,14 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"extend", "shrink", "exact"}))->type_name("RULE");
   refine_verb->add_option("--comb", refine.comb, "In pictures, a curvature comb with teeth of SCALE times the curvature")
       ->check(CLI::Range(-1e100, 1e100))->type_name("SCALE");
+  refine_verb->add_option("--net", refine.net, "Of a surface scheme: the data are a net of points, row after row, in a .csv file")->type_name("ROWSxCOLUMNS");
+  refine_verb->add_option("--rows", refine.rows, "Whether the last row of a net is its end, is followed by the first, or both are poles")
+      ->check(CLI::IsMember({"open", "periodic", "poles", "first-pole"}))->type_name("ENDS");
+  refine_verb->add_option("--columns", refine.columns, "The same for its columns")->check(CLI::IsMember({"open", "periodic"}))->type_name("ENDS");
+  refine_verb->add_option("--azimuth", refine.azimuth, "In pictures of surfaces, the viewer's angle about the z axis, in degrees")
+      ->check(CLI::Range(-360., 360.))->type_name("DEGREES");
+  refine_verb->add_option("--elevation", refine.elevation, "The viewer's angle above the xy plane")->check(CLI::Range(-90., 90.))->type_name("DEGREES");
+  refine_verb->add_flag("--show-net", refine.show_net, "In pictures of surfaces, draw the edges of the data too");
   add_common(*refine_verb, refine);
 
   TablesOptions tables;

@@ -87,6 +87,11 @@ struct RefineOptions : CommonOptions {
   bool closed = false;
   std::string ends;  // "extend", "shrink"; empty: the scheme's default
   std::optional<double> comb;
+  // Of surfaces:
+  std::string net;  // "8x14"; empty: the data are a mesh
+  std::string rows = "open", columns = "open";
+  std::optional<double> azimuth, elevation;
+  bool show_net = false;
 };
 
 struct TablesOptions : CommonOptions {

@@ -59,6 +59,7 @@ bool colour_on_stdout() {
 }
 
 void require_one_mask(const Scheme& scheme, const std::string& verb) {
+  if (scheme.surface) throw InputError(fmt::format("{} is a surface scheme: '{}' needs a scheme with one mask", scheme.name, verb));
   if (scheme.sequence) throw InputError(fmt::format("{} is nonstationary: '{}' needs a scheme with one mask", scheme.name, verb));
 }
 

@@ -83,7 +83,7 @@ TEST(MaskSequence, SpacesThatDoNotFitAreErrors) {
 }
 
 TEST(ReadNonstationary, AFileOfAUser) {
-  const Scheme scheme = read(R"(angle = "phi"
+  const Scheme scheme = read(R"toml(angle = "phi"
 level_parameter = "c"
 types = { hyperbolic = "(0, 2]" }
 arity = 3
@@ -93,7 +93,7 @@ first_levels = [{ mask = ["1", "1", "1"], first_index = 0 }]
 claim = "C1"
 [[claims]]
 claim = "reproduces {1, cosh}"
-region = { phi = "1" })");
+region = { phi = "1" })toml");
   EXPECT_EQ(scheme.kind, SchemeKind::nonstationary);
   EXPECT_EQ(scheme.parameter_names(), VariableNames{"phi"});
   EXPECT_EQ(scheme.claims[0].type, AngleType::hyperbolic);

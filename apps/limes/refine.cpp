@@ -99,7 +99,7 @@ Refined refined(const RefineOptions& options, const Stop& stop) {
     }
     if (scheme.sequence && options.knots.empty()) {
       const AngleType type = type_from_settings(scheme, options.parameters);
-      if (scheme.sequence->types.size() > 1) title += ", " + to_string(type);
+      if (scheme.sequence->types.size() > 1) title += ", " + (values.front() == 0 ? "polynomial" : to_string(type));
       return {polygon, refine_polygon(polygon, nonstationary_rule(*scheme.sequence, type, values.front(), refinement), refinement, stop),
               title};
     }

@@ -34,7 +34,7 @@ Interval read_angles(std::string_view text) {
   const Interval lower = read_end(text.substr(1, comma - 1));
   const Interval upper = read_end(text.substr(comma + 1, text.size() - comma - 2));
   const Interval result{lower.lower, upper.upper, text.front() == '(' && lower.is_point(), text.back() == ')' && upper.is_point()};
-  if (result.lower >= result.upper) throw InputError(fmt::format("the interval '{}' is empty or a single angle", text));
+  if (lower.lower >= upper.lower) throw InputError(fmt::format("the interval '{}' is empty or a single angle", text));
   return result;
 }
 

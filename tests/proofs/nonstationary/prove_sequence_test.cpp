@@ -78,7 +78,7 @@ TEST(ProveSequence, AMaskWithoutSumRulesButWithALimitThatHasThem) {
 
 TEST(ProveSequence, PolesAreFoundAtTheirLevel) {
   // mu = 9/10: at step 0 for theta = 0.902..; angles beyond pass it at a later step, or between two steps.
-  const Scheme pole = scheme(R"(mask = ["1/2", "1", "1/2*(mu-9/10)/(mu-9/10)+(mu-1)/(mu-9/10)"])");
+  const Scheme pole = scheme(R"toml(mask = ["1/2", "1", "1/2*(mu-9/10)/(mu-9/10)+(mu-1)/(mu-9/10)"])toml");
   EXPECT_EQ(outcome(pole, "C0", "[0, 0.9]"), Outcome::certified);
   EXPECT_EQ(outcome(pole, "C0", "[0, 0.91]"), Outcome::undecided);
   EXPECT_EQ(outcome(pole, "C0", "[1, 1.7]"), Outcome::certified);
@@ -87,8 +87,8 @@ TEST(ProveSequence, PolesAreFoundAtTheirLevel) {
 }
 
 TEST(ProveSequence, FirstLevelsAreFree) {
-  const std::string mask = R"(mask = ["1/4", "3/4", "3/4", "1/4"]
-first_levels = [{ mask = ["7", "mu"] }, { mask = ["1/(mu-1/2)", "1"] }])";
+  const std::string mask = R"toml(mask = ["1/4", "3/4", "3/4", "1/4"]
+first_levels = [{ mask = ["7", "mu"] }, { mask = ["1/(mu-1/2)", "1"] }])toml";
   EXPECT_EQ(outcome(scheme(mask), "C1", "[0, 3]"), Outcome::certified);
   EXPECT_EQ(outcome(scheme(mask), "reproduces {1}", "[0, 3]"), Outcome::undecided);  // the common mask does, the first ones do not
 }

@@ -24,7 +24,8 @@ std::vector<Dense> divided(std::vector<Dense> symbol, int arity, Budget& budget)
   std::vector<Dense> quotient;
   const auto p = static_cast<std::size_t>(arity);
   for (std::size_t i = 0; i < symbol.size(); ++i) {  // from the lowest index on: sigma begins with 1
-    budget.work(500. * arity * static_cast<double>(symbol[i].size() + 1));
+    const double size = size_of(symbol[i]);
+    budget.work(arity * static_cast<double>(symbol[i].size() + 1) * (500 + 4 * size * size));
     if (i + p <= symbol.size()) {
       for (std::size_t k = 1; k < p; ++k) {
         Dense& target = symbol[i + k];
@@ -44,7 +45,8 @@ std::vector<Dense> divided(std::vector<Dense> symbol, int arity, Budget& budget)
 /// N with N(mu) (mu - 1)^r = p(mu).
 Dense without_factor(Dense p, int r, Budget& budget) {
   for (int k = 0; k < r && !p.empty(); ++k) {
-    budget.work(500. * static_cast<double>(p.size()));
+    const double size = size_of(p);
+    budget.work(static_cast<double>(p.size()) * (500 + 4 * size * size));
     for (std::size_t e = p.size() - 1; e-- > 0;) p[e] += p[e + 1];  // synthetic division: p[0] becomes the remainder
     if (p[0] != 0) throw Rejected{"order", "the masks do not tend to their limit so fast"};
     p.erase(p.begin());
@@ -62,7 +64,8 @@ void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator,
     const mpq_class limit = value(a, 1, budget) / d;
     Dense difference = a;
     difference.resize(std::max(a.size(), denominator.size()));
-    budget.work(500. * static_cast<double>(difference.size()));
+    const double product = size_of(denominator) + limbs(limit), sum = product + size_of(a);
+    budget.work(static_cast<double>(difference.size()) * (500 + 4 * sum * sum));
     for (std::size_t e = 0; e < denominator.size(); ++e) difference[e] -= limit * denominator[e];
     while (!difference.empty() && difference.back() == 0) difference.pop_back();
     family.push_back(without_factor(std::move(difference), r, budget));

@@ -32,12 +32,6 @@ void trim(Dense& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
 
-double size_of(const Dense& p) {
-  double size = 1;
-  for (const mpq_class& c : p) size = std::max(size, limbs(c));
-  return size;
-}
-
 Dense times(const Dense& x, const Dense& y, Budget& budget) {
   const double terms = static_cast<double>(x.size()) * static_cast<double>(y.size()), a = size_of(x), b = size_of(y);
   budget.work(terms * (500 + 4 * (a + b) * (a + b)));
@@ -48,6 +42,7 @@ Dense times(const Dense& x, const Dense& y, Budget& budget) {
   return result;
 }
 
+/// x += factor y; the cost is that of making y.
 void add(Dense& x, const Dense& y, const mpq_class& factor) {
   x.resize(std::max(x.size(), y.size()));
   for (std::size_t i = 0; i < y.size(); ++i) x[i] += factor * y[i];

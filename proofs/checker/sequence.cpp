@@ -126,10 +126,14 @@ Polynomial sparse(const Dense& p) {
   return result;
 }
 
-mpq_class value(const Dense& p, const mpq_class& x, Budget& budget) {
+double size_of(const Dense& p) {
   double size = 1;
   for (const mpq_class& c : p) size = std::max(size, limbs(c));
-  const double n = static_cast<double>(p.size());
+  return size;
+}
+
+mpq_class value(const Dense& p, const mpq_class& x, Budget& budget) {
+  const double n = static_cast<double>(p.size()), size = size_of(p);
   budget.work(n * (500 + 2 * (size + n * limbs(x)) * limbs(x)));
   mpq_class result = 0;
   for (std::size_t k = p.size(); k-- > 0;) result = result * x + p[k];

@@ -118,7 +118,7 @@ class Nonstationary(unittest.TestCase):
                 (("verify", "unified-curve", "--param", "theta=pi^2"), "no angle"),
                 (("verify", "unified-curve", "--param", "type=spherical"), "no such type"),
                 (("verify", "unified-curve", "--param", "type=polynomial", "--param", "theta=1"), "given twice"),
-                (("verify", "unified-curve", "--claim", "reproduces {cosh}"), "hyperbolic"),
+                (("verify", "unified-curve", "--claim", "reproduces {cosh}"), "trigonometric type"),
                 (("verify", "unified-curve", "--claim", "reproduces {tan}"), "no function"),
                 (("verify", "four-point", "--claim", "reproduces {1}"), "not a nonstationary scheme"),
                 (("verify", "four-point", "--param", "w=pi/100"), "--param w=pi/100"),

@@ -55,8 +55,8 @@ Dense without_factor(Dense p, int r, Budget& budget) {
 }
 
 /// sum |c_i(mu) - c_i(1)| <= bound |mu - 1|^r over every residue class of i, on the range of mu.
-void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator, int arity, int r, const Interval& range,
-                 const mpq_class& bound, Budget& budget) {
+void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator, int arity, int r,
+                 const Interval& range, const mpq_class& bound, Budget& budget) {
   const mpq_class d = value(denominator, 1, budget);
   if (d == 0) throw Rejected{"denominator", "the masks have no limit"};
   std::vector<Dense> family{denominator};
@@ -80,7 +80,8 @@ void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator,
       const mpz_class own = negative ? mpz_class(-below[e]) : below[e];
       budget.work(1000 + 20 * limbs(sum) + 2 * limbs(own) * limbs(bound));
       if (own <= 0) throw Rejected{"denominator", "the masks from step from_level on may have a pole"};
-      if (mpq_class(sum) > bound * own) throw Rejected{"bound", "the constant does not bound the masks' distance from their limit"};
+      if (mpq_class(sum) > bound * own)
+        throw Rejected{"bound", "the constant does not bound the masks' distance from their limit"};
     }
   }
 }
@@ -100,10 +101,12 @@ void check_limit(const Json& json, const Sequence& sequence, int order, Budget& 
   };
   std::vector<mpq_class> stated, own;
   const auto constant_value = [](const Polynomial& p) { return p.empty() ? mpq_class(0) : p.begin()->second; };
-  for (const Polynomial& p : limit.scheme.mask) stated.push_back(constant_value(p) / constant_value(limit.scheme.denominator));
+  for (const Polynomial& p : limit.scheme.mask)
+    stated.push_back(constant_value(p) / constant_value(limit.scheme.denominator));
   const mpq_class d = value(sequence.mask.denominator, 1, budget);
   for (const Dense& a : sequence.mask.numerators) own.push_back(value(a, 1, budget) / d);
-  if (trimmed(stated) != trimmed(own)) throw Rejected{"limit", "the embedded certificate is about another mask than the limit"};
+  if (trimmed(stated) != trimmed(own))
+    throw Rejected{"limit", "the embedded certificate is about another mask than the limit"};
   check_smoothness(json, budget);
 }
 

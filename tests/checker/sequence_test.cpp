@@ -11,16 +11,25 @@ const std::vector<std::string> unified{outer, "0", inner, "1", inner, "0", outer
 const std::vector<std::string> cubic_spline{"1/(4*(1+mu))", "1/2", "(1+2*mu)/(2*(1+mu))", "1/2", "1/(4*(1+mu))"};
 
 Json scheme(const std::vector<std::string>& mask, const std::string& type) {
-  return {{"kind", "nonstationary"}, {"name", "test"},  {"parameters", {"theta"}}, {"level_parameter", "mu"},
-          {"type", type},            {"arity", 2},      {"first_index", -static_cast<int>(mask.size() / 2)},
-          {"mask", mask},            {"first_levels", Json::array()}};
+  return {{"kind", "nonstationary"},
+          {"name", "test"},
+          {"parameters", {"theta"}},
+          {"level_parameter", "mu"},
+          {"type", type},
+          {"arity", 2},
+          {"first_index", -static_cast<int>(mask.size() / 2)},
+          {"mask", mask},
+          {"first_levels", Json::array()}};
 }
 
-Json certificate(const std::vector<std::string>& mask, const std::string& statement, const std::string& angles, const std::string& theorem,
-                 const Json& proof, const std::string& type = "trigonometric") {
-  return {{"format", "limes-certificate"}, {"version", 1},
-          {"scheme", scheme(mask, type)},  {"claim", {{"statement", statement}, {"region", {{"theta", angles}}}}},
-          {"verdict", "certified"},        {"theorem", theorem},
+Json certificate(const std::vector<std::string>& mask, const std::string& statement, const std::string& angles,
+                 const std::string& theorem, const Json& proof, const std::string& type = "trigonometric") {
+  return {{"format", "limes-certificate"},
+          {"version", 1},
+          {"scheme", scheme(mask, type)},
+          {"claim", {{"statement", statement}, {"region", {{"theta", angles}}}}},
+          {"verdict", "certified"},
+          {"theorem", theorem},
           {"proof", proof}};
 }
 
@@ -32,9 +41,14 @@ Json limit(const std::vector<std::string>& mask, const std::string& statement, i
 const std::vector<std::string> four_point_limit{"-1/16", "0", "9/16", "1", "9/16", "0", "-1/16"};
 
 /// The unified four-point scheme [Bari, Mustafa, Ghaffar, Nisar & Baleanu 2021] is C^1 for these angles.
-Json unified_c1(const std::string& angles = "[0, 3]", const std::string& type = "trigonometric", const std::string& constant = "1") {
+Json unified_c1(const std::string& angles = "[0, 3]", const std::string& type = "trigonometric",
+                const std::string& constant = "1") {
   return certificate(unified, "C1", angles, "S1",
-                     {{"from_level", 1}, {"factors", 0}, {"order", 2}, {"constant", constant}, {"limit", limit(four_point_limit, "C1", 2)}},
+                     {{"from_level", 1},
+                      {"factors", 0},
+                      {"order", 2},
+                      {"constant", constant},
+                      {"limit", limit(four_point_limit, "C1", 2)}},
                      type);
 }
 
@@ -48,14 +62,17 @@ Json spline_c2(int factors = 1) {
                       {"limit", limit({"1/8", "1/2", "3/4", "1/2", "1/8"}, "C2", 1)}});
 }
 
-Json reproduction(const std::vector<std::string>& mask, const std::string& statement, const std::string& angles = "[0, 3]",
-                  const std::string& type = "trigonometric") {
+Json reproduction(const std::vector<std::string>& mask, const std::string& statement,
+                  const std::string& angles = "[0, 3]", const std::string& type = "trigonometric") {
   return certificate(mask, statement, angles, "S2", {{"from_level", 1}}, type);
 }
 
-Json defect(int residue, int moment, const std::string& part) { return {{"residue", residue}, {"moment", moment}, {"part", part}}; }
+Json defect(int residue, int moment, const std::string& part) {
+  return {{"residue", residue}, {"moment", moment}, {"part", part}};
+}
 
-Json defects(const std::vector<std::string>& mask, const std::string& statement, const Json& list, const std::string& angles = "(0, 3]") {
+Json defects(const std::vector<std::string>& mask, const std::string& statement, const Json& list,
+             const std::string& angles = "(0, 3]") {
   return certificate(mask, statement, angles, "S2", {{"from_level", 1}, {"defects", list}});
 }
 
@@ -89,7 +106,8 @@ TEST(AsymptoticEquivalence, EveryHypothesisIsChecked) {
   // A pole that a first level only avoids: mu_0 = cos(theta/2) is 9/10 at theta = 0.9, the other levels are closer to 1.
   const std::string pole = "(mu-9/10)/(mu-9/10)";
   expect_invalid(changed(changed(unified_c1("[0, 1]"), "/scheme/mask/3", pole), "/proof/from_level", 1), "denominator");
-  expect_valid(changed(changed(changed(unified_c1("[95/100, 1]"), "/scheme/mask/3", pole), "/proof/from_level", 1), "/proof/constant", "10"));
+  expect_valid(changed(changed(changed(unified_c1("[95/100, 1]"), "/scheme/mask/3", pole), "/proof/from_level", 1),
+                       "/proof/constant", "10"));
   // Angles: mu = 0 at pi; beyond the range of the type; negative.
   expect_invalid(unified_c1("[0, 3141593/1000000]"), "denominator");
   expect_invalid(unified_c1("[0, 7]"), "claim");
@@ -103,7 +121,8 @@ TEST(AsymptoticEquivalence, EveryHypothesisIsChecked) {
   expect_invalid(changed(valid, "/verdict", "refuted"), "claim");
   expect_invalid(spline_c2(0), "order");
   expect_invalid(spline_c2(3), "proof");
-  expect_invalid(changed(changed(spline_c2(), "/scheme/mask/2", "(2+mu)/(2*(1+mu))"), "/proof/constant", "10"), "factor");
+  expect_invalid(changed(changed(spline_c2(), "/scheme/mask/2", "(2+mu)/(2*(1+mu))"), "/proof/constant", "10"),
+                 "factor");
   // The bound.
   expect_invalid(changed(valid, "/proof/constant", "1/10"), "bound");
   expect_invalid(changed(valid, "/proof/constant", "-1"), "bound");
@@ -111,7 +130,8 @@ TEST(AsymptoticEquivalence, EveryHypothesisIsChecked) {
   expect_invalid(changed(valid, "/proof/order", 4), "order");
   expect_invalid(changed(valid, "/proof/order", 3), "proof");
   expect_invalid(changed(valid, "/proof/order", 0), "proof");
-  expect_invalid(changed(valid, "/proof/from_level", 0), "bound");  // the bound is larger where the denominator is small
+  expect_invalid(changed(valid, "/proof/from_level", 0),
+                 "bound");  // the bound is larger where the denominator is small
   expect_valid(changed(valid, "/proof/from_level", 2));
   expect_invalid(changed(valid, "/proof/from_level", -1), "proof");
   expect_invalid(changed(valid, "/proof/from_level", 129), "proof");
@@ -174,7 +194,8 @@ TEST(Reproduction, IdentitiesThatDoNotHoldAreRejected) {
   const Json valid = reproduction(unified, "reproduces {1, y, cos, sin}");
   expect_invalid(changed(valid, "/scheme/mask/0", "-1/(8*mu*(mu+1)) + 1/1000000"), "identity limits");
   expect_valid(changed(valid, "/scheme/first_index", -2));  // the same with parameters i + 1
-  EXPECT_NE(check(changed(valid, "/scheme/first_index", -2)).statement.find("with parameters i + 1"), std::string::npos);
+  EXPECT_NE(check(changed(valid, "/scheme/first_index", -2)).statement.find("with parameters i + 1"),
+            std::string::npos);
   expect_invalid(changed(valid, "/claim/region/theta", "[0, 3142/1000]"), "denominator");
   Json first = changed(valid, "/scheme/first_levels", {{{"first_index", -1}, {"mask", {"1/2", "1", "1/2"}}}});
   expect_invalid(first, "identity");
@@ -183,10 +204,10 @@ TEST(Reproduction, IdentitiesThatDoNotHoldAreRejected) {
 }
 
 TEST(Reproduction, StatementsOfAnotherForm) {
-  for (const char* statement :
-       {"reproduces {}", "reproduces {1, }", "reproduces {1,y}", "reproduces { 1}", "reproduces {y^0}", "reproduces {y^17}", "reproduces {tan}",
-        "reproduces {cos(0y)}", "reproduces {cos(2)}", "reproduces {1", "reproduce {1}", "does not reproduces {1}", "reproduces {y cos sin}",
-        "reproduces {cos(99999999999999999999y)}", "C1", ""})
+  for (const char* statement : {"reproduces {}", "reproduces {1, }", "reproduces {1,y}", "reproduces { 1}",
+                                "reproduces {y^0}", "reproduces {y^17}", "reproduces {tan}", "reproduces {cos(0y)}",
+                                "reproduces {cos(2)}", "reproduces {1", "reproduce {1}", "does not reproduces {1}",
+                                "reproduces {y cos sin}", "reproduces {cos(99999999999999999999y)}", "C1", ""})
     expect_invalid(reproduction(unified, statement), "claim");
   std::string many = "reproduces {1";
   for (int k = 0; k < 16; ++k) many += ", 1";
@@ -235,8 +256,36 @@ TEST(Reproduction, ARefutationIsOneFunctionOnAPartOfTheRegion) {
 
 /// Every key is taken away and every value replaced by others: what stays valid states something true.
 TEST(SequenceCertificates, MutantsAreRejectedOrTrue) {
-  const std::vector<Json> values{nullptr, true, -1, 0, 1, 2, 3, 1000000, 1.0, "", "0", "1", "-1", "1/2", "mu", "theta", "[0, 1]", "(0, 3]", "C0", "C1", "C2",
-                                 "hyperbolic", "S1", "S2", "U1", "refuted", "reproduces {1, y}", "reproduces {y^2}", Json::array(), Json::object()};
+  const std::vector<Json> values{nullptr,
+                                 true,
+                                 -1,
+                                 0,
+                                 1,
+                                 2,
+                                 3,
+                                 1000000,
+                                 1.0,
+                                 "",
+                                 "0",
+                                 "1",
+                                 "-1",
+                                 "1/2",
+                                 "mu",
+                                 "theta",
+                                 "[0, 1]",
+                                 "(0, 3]",
+                                 "C0",
+                                 "C1",
+                                 "C2",
+                                 "hyperbolic",
+                                 "S1",
+                                 "S2",
+                                 "U1",
+                                 "refuted",
+                                 "reproduces {1, y}",
+                                 "reproduces {y^2}",
+                                 Json::array(),
+                                 Json::object()};
   const auto is_true = [](const Json& json) {
     // Only the mask, the angles, the type, free first levels and labels tell schemes apart; these are the true statements about them.
     const std::string statement = json["claim"]["statement"];
@@ -285,7 +334,8 @@ TEST(SequenceCertificates, WorkIsBounded) {
   expect_valid(json);
   json["scheme"]["mask"][3] = "mu^1000/(mu^1000)";
   const auto result = check(json);
-  EXPECT_TRUE(result.valid || result.step == "limits" || result.step == "bound" || result.step == "denominator") << result.step;
+  EXPECT_TRUE(result.valid || result.step == "limits" || result.step == "bound" || result.step == "denominator")
+      << result.step;
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 namespace limes {
 namespace {
 
-MaskSequence load(const char* name) { return *Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name).sequence; }
+MaskSequence load(const char* name) {
+  return *Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name).sequence;
+}
 
 const double pi = approx_double(pi_enclosure().lower);
 constexpr auto trigonometric = AngleType::trigonometric;
@@ -31,7 +33,8 @@ NonstationaryRule circle_rule(const char* name, int corners, int levels) {
 
 double distance_from_circle(const Polygon& polygon) {
   double worst = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) worst = std::max(worst, std::abs(std::hypot(polygon[i][0], polygon[i][1]) - 1));
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    worst = std::max(worst, std::abs(std::hypot(polygon[i][0], polygon[i][1]) - 1));
   return worst;
 }
 
@@ -92,10 +95,12 @@ TEST(RefineNonstationary, CatenariesAndCubics) {
     catenary.push_back(std::cosh(0.9 * k));
     cubic.push_back(k * k * k - 2.0 * k);
   }
-  NonstationaryRule hyperbolic = approx_nonstationary_rule(load("unified-curve"), AngleType::hyperbolic, Rational(9) / 10, 6);
+  NonstationaryRule hyperbolic =
+      approx_nonstationary_rule(load("unified-curve"), AngleType::hyperbolic, Rational(9) / 10, 6);
   hyperbolic.continuation = approx_continuation(read_exponential_functions("{1, y, cosh, sinh}"), 0.9);
   const Polygon fine = refine_polygon(Polygon(1, catenary), hyperbolic, {6, EndRule::exact});
-  for (std::size_t i = 0; i < fine.size(); ++i) EXPECT_NEAR(fine[i][0], std::cosh(0.9 * (static_cast<double>(i) / 64 - 3)), 1e-12);
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    EXPECT_NEAR(fine[i][0], std::cosh(0.9 * (static_cast<double>(i) / 64 - 3)), 1e-12);
   NonstationaryRule polynomial = approx_nonstationary_rule(load("unified-curve"), trigonometric, 0, 6);
   polynomial.continuation = approx_continuation(read_exponential_functions("{1, y, y^2, y^3}"), 0);
   const Polygon curve = refine_polygon(Polygon(1, cubic), polynomial, {6, EndRule::exact});
@@ -107,7 +112,8 @@ TEST(RefineNonstationary, CatenariesAndCubics) {
 
 TEST(RefineNonstationary, AngleZeroIsTheFourPointScheme) {
   const Catalogue catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue");
-  const UniformRule four_point = approx_uniform_rule(catalogue.load("four-point").mask, std::vector<Rational>{Rational(1) / 16});
+  const UniformRule four_point =
+      approx_uniform_rule(catalogue.load("four-point").mask, std::vector<Rational>{Rational(1) / 16});
   const NonstationaryRule rule = approx_nonstationary_rule(load("unified-curve"), trigonometric, 0, 5);
   const Polygon polygon = circle(5, 5, true);
   EXPECT_EQ(refine_polygon(polygon, rule, {5}).coordinates(), refine_polygon(polygon, four_point, {5}).coordinates());
@@ -117,7 +123,8 @@ TEST(RefineNonstationary, SplinesOfRegularPolygonsAreCircles) {
   for (const char* name : {"exponential-b-spline-3", "exponential-b-spline-4"}) {
     const Polygon result = refine_polygon(circle(6, 6, true), circle_rule(name, 6, 7), {7});
     const double radius = std::hypot(result[0][0], result[0][1]);
-    for (std::size_t i = 0; i < result.size(); ++i) EXPECT_NEAR(std::hypot(result[i][0], result[i][1]), radius, 1e-13) << name;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      EXPECT_NEAR(std::hypot(result[i][0], result[i][1]), radius, 1e-13) << name;
     EXPECT_LT(radius, 1);
   }
 }

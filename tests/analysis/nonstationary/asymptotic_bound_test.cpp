@@ -10,21 +10,27 @@
 namespace limes {
 namespace {
 
-MaskSequence load(const char* name) { return *Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name).sequence; }
+MaskSequence load(const char* name) {
+  return *Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name).sequence;
+}
 
 /// ||S_{c(mu)} - S_{c(1)}||, c = 2^j a / (1+z)^j, exactly.
 Rational distance_to_limit(const MaskSequence& sequence, int factors, const Rational& mu) {
   const LaurentPolynomial c = RationalFunction::constant(1, 2) * *difference_symbol(sequence.mask, factors);
   const LaurentPolynomial difference = c.at(std::array<Rational, 1>{mu}) - c.at(std::array<Rational, 1>{1});
   Rational sums[2] = {0, 0};
-  for (int i = difference.is_zero() ? 1 : difference.lowest(); !difference.is_zero() && i <= difference.highest(); ++i) {
+  for (int i = difference.is_zero() ? 1 : difference.lowest(); !difference.is_zero() && i <= difference.highest();
+       ++i) {
     sums[std::abs(i) % 2] += abs(difference.coefficient(i).constant_value());
   }
   return std::max(sums[0], sums[1]);
 }
 
 TEST(AsymptoticBound, HoldsAtSampledAnglesAndLevels) {
-  for (const auto& [name, m] : {std::pair{"unified-curve", 1}, {"exponential-b-spline-3", 1}, {"exponential-b-spline-4", 2}, {"six-point-nonstationary", 2}}) {
+  for (const auto& [name, m] : {std::pair{"unified-curve", 1},
+                                {"exponential-b-spline-3", 1},
+                                {"exponential-b-spline-4", 2},
+                                {"six-point-nonstationary", 2}}) {
     const MaskSequence sequence = load(name);
     for (const MaskSequence::Range& range : sequence.types) {
       const auto attempt = bound_difference_to_limit(sequence, range.type, range.angles, m);
@@ -48,10 +54,11 @@ TEST(AsymptoticBound, HoldsAtSampledAnglesAndLevels) {
 }
 
 TEST(AsymptoticBound, AStationaryMaskIsItsOwnLimit) {
-  const MaskSequence sequence{.types = {{AngleType::trigonometric, {0, 3}}},
-                              .mask = {2, LaurentPolynomial(1, 0, {RationalFunction::constant(1, 1), RationalFunction::constant(1, 1)})},
-                              .first_levels = {},
-                              .interpolated = {}};
+  const MaskSequence sequence{
+      .types = {{AngleType::trigonometric, {0, 3}}},
+      .mask = {2, LaurentPolynomial(1, 0, {RationalFunction::constant(1, 1), RationalFunction::constant(1, 1)})},
+      .first_levels = {},
+      .interpolated = {}};
   const auto attempt = bound_difference_to_limit(sequence, AngleType::trigonometric, {0, 3}, 5);
   ASSERT_TRUE(attempt.bound);
   EXPECT_GT(attempt.bound->order, 5);
@@ -90,12 +97,16 @@ TEST(LevelRange, ContainsTheLevelParameter) {
 /// divided differences decay so fast that they are summable. So nothing about a nonstationary scheme follows from its limit not
 /// being C^m. Exact norms of products of the difference schemes with a = (1+z)^2/2 b.
 TEST(AsymptoticBound, ALimitThatIsNotC1RefutesNothing) {
-  const auto b = [](const Rational& w) { return LaurentPolynomial::from_rationals(0, {-2 * w, 4 * w, 1 - 4 * w, 4 * w, -2 * w}); };
+  const auto b = [](const Rational& w) {
+    return LaurentPolynomial::from_rationals(0, {-2 * w, 4 * w, 1 - 4 * w, 4 * w, -2 * w});
+  };
   const auto norm = [&](int levels, auto tension) {
     LaurentPolynomial product = LaurentPolynomial::from_rationals(0, {1});
-    for (int k = 0; k < levels; ++k) product = b(tension(k)) * product.dilated(2);  // the step 0 acts first, with the widest spacing
+    for (int k = 0; k < levels; ++k)
+      product = b(tension(k)) * product.dilated(2);  // the step 0 acts first, with the widest spacing
     std::vector<Rational> sums(std::size_t{1} << levels);
-    for (int i = 0; i <= product.highest(); ++i) sums[static_cast<std::size_t>(i) % sums.size()] += abs(product.coefficient(i).constant_value());
+    for (int i = 0; i <= product.highest(); ++i)
+      sums[static_cast<std::size_t>(i) % sums.size()] += abs(product.coefficient(i).constant_value());
     return approx_double(*std::max_element(sums.begin(), sums.end()));
   };
   const auto slow = [](int k) { return Rational(1) / (8 + k); };

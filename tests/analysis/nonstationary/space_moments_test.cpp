@@ -9,7 +9,9 @@
 namespace limes {
 namespace {
 
-MaskSequence load(const char* name) { return *Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name).sequence; }
+MaskSequence load(const char* name) {
+  return *Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name).sequence;
+}
 
 bool reproduces(const MaskSequence& sequence, const std::string& function, bool at_zero = false) {
   return defects(sequence.mask, parameter_tau(sequence), read_exponential_function(function), false, at_zero).empty();
@@ -34,8 +36,12 @@ TEST(SpaceMoments, Lemmas31To33TheUnifiedCurveReproducesCosineAndSine) {
   for (int level = 0; level < 6; ++level) {
     const double h = theta / std::exp2(level + 1);
     for (int i = -4; i <= 5; ++i) {
-      EXPECT_NEAR(step(unified, std::cos(h), i, [](double y) { return std::cos(y); }, h), std::cos(i * h), 1e-14);
-      EXPECT_NEAR(step(unified, std::cos(h), i, [](double y) { return std::sin(y); }, h), std::sin(i * h), 1e-14);
+      EXPECT_NEAR(step(
+                      unified, std::cos(h), i, [](double y) { return std::cos(y); }, h),
+                  std::cos(i * h), 1e-14);
+      EXPECT_NEAR(step(
+                      unified, std::cos(h), i, [](double y) { return std::sin(y); }, h),
+                  std::sin(i * h), 1e-14);
     }
   }
 }
@@ -46,8 +52,13 @@ TEST(SpaceMoments, Lemmas34To36TheUnifiedCurveReproducesTheHyperbolicFunctions) 
   EXPECT_TRUE(reproduces(unified, "sinh"));
   for (const double h : {1.5, 0.3, 0.01}) {
     for (int i = -3; i <= 4; ++i) {
-      EXPECT_NEAR(step(unified, std::cosh(h), i, [](double y) { return std::cosh(y); }, h) / std::cosh(i * h), 1, 1e-14);
-      EXPECT_NEAR(step(unified, std::cosh(h), i, [](double y) { return std::sinh(y); }, h), std::sinh(i * h), 1e-13 * std::cosh(4 * h));
+      EXPECT_NEAR(step(
+                      unified, std::cosh(h), i, [](double y) { return std::cosh(y); }, h) /
+                      std::cosh(i * h),
+                  1, 1e-14);
+      EXPECT_NEAR(step(
+                      unified, std::cosh(h), i, [](double y) { return std::sinh(y); }, h),
+                  std::sinh(i * h), 1e-13 * std::cosh(4 * h));
     }
   }
 }
@@ -58,14 +69,20 @@ TEST(SpaceMoments, Theorems33To310TensorProductsReproduceProducts) {
   const double s = 0.4, t = 0.7;  // angles of one new edge
   using Wave = double (*)(double);
   for (const auto& [u, v, hyperbolic_u, hyperbolic_v] :
-       std::vector<std::tuple<Wave, Wave, bool, bool>>{{std::cos, std::cos, false, false}, {std::cos, std::sin, false, false},
-                                                       {std::sin, std::sin, false, false}, {std::cosh, std::cosh, true, true},
-                                                       {std::cosh, std::sinh, true, true}, {std::sinh, std::sinh, true, true},
+       std::vector<std::tuple<Wave, Wave, bool, bool>>{{std::cos, std::cos, false, false},
+                                                       {std::cos, std::sin, false, false},
+                                                       {std::sin, std::sin, false, false},
+                                                       {std::cosh, std::cosh, true, true},
+                                                       {std::cosh, std::sinh, true, true},
+                                                       {std::sinh, std::sinh, true, true},
                                                        {std::cosh, std::sin, true, false}}) {
     const double mu_u = hyperbolic_u ? std::cosh(s) : std::cos(s), mu_v = hyperbolic_v ? std::cosh(t) : std::cos(t);
     for (int i = -1; i <= 2; ++i) {
       for (int j = -1; j <= 2; ++j) {
-        const auto column = [&](double y) { return step(unified, mu_u, i, [&](double x) { return u(x) * v(y); }, s); };
+        const auto column = [&](double y) {
+          return step(
+              unified, mu_u, i, [&](double x) { return u(x) * v(y); }, s);
+        };
         EXPECT_NEAR(step(unified, mu_v, j, column, t), u(i * s) * v(j * t), 1e-13);
       }
     }
@@ -91,11 +108,21 @@ TEST(SpaceMoments, ADefectIsTheErrorOfOneStep) {
   const MaskSequence unified = load("unified-curve");
   const double h = 0.6, mu = std::cos(h);
   const std::array<Rational, 1> at{Rational(mu)};
-  const auto value = [&](const char* f) { return approx_double(defects(unified.mask, 0, read_exponential_function(f), false).front().value(at)); };
-  EXPECT_NEAR(step(unified, mu, 1, [](double y) { return y * y; }, h) - h * h, h * h * value("y^2"), 1e-15);
-  EXPECT_NEAR(step(unified, mu, 1, [](double y) { return std::cos(2 * y); }, h) - std::cos(2 * h), std::cos(2 * h) * value("cos(2y)"), 1e-14);
+  const auto value = [&](const char* f) {
+    return approx_double(defects(unified.mask, 0, read_exponential_function(f), false).front().value(at));
+  };
+  EXPECT_NEAR(step(
+                  unified, mu, 1, [](double y) { return y * y; }, h) -
+                  h * h,
+              h * h * value("y^2"), 1e-15);
+  EXPECT_NEAR(step(
+                  unified, mu, 1, [](double y) { return std::cos(2 * y); }, h) -
+                  std::cos(2 * h),
+              std::cos(2 * h) * value("cos(2y)"), 1e-14);
   // y e^{iy} at i + 1: h e^{iy} M_1, M_1 = -i sin(x) (odd part) up to sign.
-  const double sine = step(unified, mu, 1, [](double y) { return y * std::sin(y); }, h) - h * std::sin(h);
+  const double sine = step(
+                          unified, mu, 1, [](double y) { return y * std::sin(y); }, h) -
+                      h * std::sin(h);
   EXPECT_NEAR(std::abs(sine), std::abs(h * std::sin(h) * value("y cos") * std::cos(h)), 1e-14);
 }
 
@@ -126,7 +153,8 @@ TEST(SpaceMoments, EveryInterpolatedSpaceIsReproduced) {
                            "{1, y, cos, sin, cos(2y), sin(2y)}", "{1, y, y^2, y^3, cos, sin, cos(2y), sin(2y)}"}) {
     const auto basis = read_exponential_functions(text);
     const Mask mask = interpolation_mask(basis);
-    for (const ExponentialFunction& f : basis) EXPECT_TRUE(defects(mask, 0, f, false).empty()) << text << " " << to_string(f);
+    for (const ExponentialFunction& f : basis)
+      EXPECT_TRUE(defects(mask, 0, f, false).empty()) << text << " " << to_string(f);
   }
 }
 

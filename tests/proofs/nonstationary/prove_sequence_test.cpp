@@ -13,14 +13,20 @@
 namespace limes {
 namespace {
 
-Scheme load(const char* name) { return Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name); }
+Scheme load(const char* name) {
+  return Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name);
+}
 
-Scheme scheme(const std::string& table, const std::string& types = "trigonometric = [\"0\", \"3\"], hyperbolic = [\"0\", \"10\"]") {
-  return read_scheme("name = \"test\"\nkind = \"nonstationary\"\n[nonstationary]\ntypes = { " + types + " }\n" + table + "\n", "test.toml");
+Scheme scheme(const std::string& table,
+              const std::string& types = "trigonometric = [\"0\", \"3\"], hyperbolic = [\"0\", \"10\"]") {
+  return read_scheme(
+      "name = \"test\"\nkind = \"nonstationary\"\n[nonstationary]\ntypes = { " + types + " }\n" + table + "\n",
+      "test.toml");
 }
 
 /// Decides a statement; what is decided is left for script/test to check once more.
-Verdict decide(const Scheme& s, const std::string& text, const std::string& angles, AngleType type = AngleType::trigonometric) {
+Verdict decide(const Scheme& s, const std::string& text, const std::string& angles,
+               AngleType type = AngleType::trigonometric) {
   static int count = 0;
   Claim claim = read_statement(text);
   claim.region = {read_angles(angles)};
@@ -36,7 +42,8 @@ Verdict decide(const Scheme& s, const std::string& text, const std::string& angl
   return verdict;
 }
 
-Outcome outcome(const Scheme& s, const std::string& text, const std::string& angles, AngleType type = AngleType::trigonometric) {
+Outcome outcome(const Scheme& s, const std::string& text, const std::string& angles,
+                AngleType type = AngleType::trigonometric) {
   return decide(s, text, angles, type).outcome;
 }
 
@@ -73,7 +80,8 @@ TEST(ProveSequence, AMaskWithoutSumRulesButWithALimitThatHasThem) {
   EXPECT_EQ(outcome(scheme(R"(mask = ["1/4", "3/4", "3/4", "1/4+mu-1"])"), "C1", "[0, 3]"), Outcome::certified);
   // Too slow for C^2 of the cubic spline, without factors for every mu.
   EXPECT_EQ(outcome(scheme(R"(mask = ["1/8", "1/2", "3/4*mu", "1/2", "1/8"])"), "C2", "[0, 3]"), Outcome::undecided);
-  EXPECT_EQ(outcome(scheme(R"(mask = ["1/8", "1/2", "3/4+(mu-1)^2", "1/2", "1/8"])"), "C2", "[0, 3]"), Outcome::certified);
+  EXPECT_EQ(outcome(scheme(R"(mask = ["1/8", "1/2", "3/4+(mu-1)^2", "1/2", "1/8"])"), "C2", "[0, 3]"),
+            Outcome::certified);
 }
 
 TEST(ProveSequence, PolesAreFoundAtTheirLevel) {
@@ -90,7 +98,8 @@ TEST(ProveSequence, FirstLevelsAreFree) {
   const std::string mask = R"toml(mask = ["1/4", "3/4", "3/4", "1/4"]
 first_levels = [{ mask = ["7", "mu"] }, { mask = ["1/(mu-1/2)", "1"] }])toml";
   EXPECT_EQ(outcome(scheme(mask), "C1", "[0, 3]"), Outcome::certified);
-  EXPECT_EQ(outcome(scheme(mask), "reproduces {1}", "[0, 3]"), Outcome::undecided);  // the common mask does, the first ones do not
+  EXPECT_EQ(outcome(scheme(mask), "reproduces {1}", "[0, 3]"),
+            Outcome::undecided);  // the common mask does, the first ones do not
 }
 
 TEST(ProveSequence, TernarySchemesToo) {

@@ -16,8 +16,11 @@ TEST(Angle, RationalAnglesAreExact) {
 
 TEST(Angle, MultiplesOfPiAreEnclosed) {
   const Interval pi = pi_enclosure(400);
-  for (const auto& [text, factor] : {std::pair{"pi", Rational(1)}, {"2*pi/7", Rational(2) / 7}, {"pi/2", Rational(1) / 2},
-                                     {"3*pi - 2*pi", Rational(1)}, {"-pi/5", Rational(-1) / 5}}) {
+  for (const auto& [text, factor] : {std::pair{"pi", Rational(1)},
+                                     {"2*pi/7", Rational(2) / 7},
+                                     {"pi/2", Rational(1) / 2},
+                                     {"3*pi - 2*pi", Rational(1)},
+                                     {"-pi/5", Rational(-1) / 5}}) {
     const Interval angle = read_angles(text);
     EXPECT_TRUE(angle.contains(factor * pi.lower)) << text;
     EXPECT_TRUE(angle.contains(factor * pi.upper)) << text;

@@ -11,7 +11,9 @@ namespace limes {
 namespace {
 
 std::vector<ExponentialFunction> space(const std::string& text) { return read_exponential_functions(text); }
-Scheme load(const char* name) { return Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name); }
+Scheme load(const char* name) {
+  return Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(name);
+}
 
 Scheme read(const std::string& table, const std::string& rest = "") {
   return read_scheme("name = \"s\"\nkind = \"nonstationary\"\n[nonstationary]\n" + table + "\n" + rest, "s.toml");
@@ -52,7 +54,8 @@ TEST(MaskSequence, Lemma21TheWeightsOfTheUnifiedCurveSumToOne) {
 // Remark 2.2 there, and section 2.5: mu = 1 and the limit are the four-point scheme with w = 1/16.
 TEST(MaskSequence, Remark22TheLimitIsTheFourPointScheme) {
   const Scheme unified = load("unified-curve"), four_point = load("four-point");
-  EXPECT_EQ(unified.mask.symbol.at(std::array<Rational, 1>{0}), at(four_point.mask, std::array<Rational, 1>{Rational(1) / 16}).symbol);
+  EXPECT_EQ(unified.mask.symbol.at(std::array<Rational, 1>{0}),
+            at(four_point.mask, std::array<Rational, 1>{Rational(1) / 16}).symbol);
 }
 
 TEST(MaskSequence, PolynomialSpacesGiveTheDeslauriersDubucSchemes) {
@@ -64,16 +67,18 @@ TEST(MaskSequence, PolynomialSpacesGiveTheDeslauriersDubucSchemes) {
 }
 
 TEST(MaskSequence, ExponentialSpacesTendToTheDeslauriersDubucSchemes) {
-  EXPECT_EQ(load("six-point-nonstationary").mask.symbol.at(std::array<Rational, 1>{0}), load("deslauriers-dubuc-6").mask.symbol);
+  EXPECT_EQ(load("six-point-nonstationary").mask.symbol.at(std::array<Rational, 1>{0}),
+            load("deslauriers-dubuc-6").mask.symbol);
   for (const char* text : {"{1, y, cos, sin, y cos, y sin}", "{1, y, cos, sin, cos(2y), sin(2y)}"}) {
-    const MaskSequence sequence{.types = {}, .mask = interpolation_mask(space(text)), .first_levels = {}, .interpolated = {}};
+    const MaskSequence sequence{
+        .types = {}, .mask = interpolation_mask(space(text)), .first_levels = {}, .interpolated = {}};
     EXPECT_EQ(limit_mask(sequence, 0).symbol, load("deslauriers-dubuc-6").mask.symbol) << text;
   }
 }
 
 TEST(MaskSequence, SpacesThatDoNotFitAreErrors) {
-  for (const char* text : {"{1}", "{1, y, cos}", "{1, cos, sin, y}", "{y, y^2}", "{1, y^2}", "{1, y, cos, cosh}", "{1, y, y cos, y sin}",
-                           "{cos, sin, cos(2y), sin(3y)}", "{1, y, cos(5y), sin(5y)}"}) {
+  for (const char* text : {"{1}", "{1, y, cos}", "{1, cos, sin, y}", "{y, y^2}", "{1, y^2}", "{1, y, cos, cosh}",
+                           "{1, y, y cos, y sin}", "{cos, sin, cos(2y), sin(3y)}", "{1, y, cos(5y), sin(5y)}"}) {
     if (std::string(text) == "{1, cos, sin, y}") {
       EXPECT_NO_THROW(interpolation_mask(space(text)));  // the order plays no part
     } else {
@@ -130,7 +135,9 @@ TEST(ReadNonstationary, ErrorsNameTheLine) {
 }
 
 TEST(ReadNonstationary, OnlyNonstationarySchemesHaveClaimsAboutSpaces) {
-  EXPECT_THROW(read_scheme("name = \"s\"\nkind = \"uniform\"\n[uniform]\nmask = [\"1\", \"1\"]\n[[claims]]\nclaim = \"reproduces {1}\"\n", "s.toml"),
+  EXPECT_THROW(read_scheme("name = \"s\"\nkind = \"uniform\"\n[uniform]\nmask = [\"1\", \"1\"]\n[[claims]]\nclaim = "
+                           "\"reproduces {1}\"\n",
+                           "s.toml"),
                InputError);
 }
 

@@ -58,11 +58,6 @@ bool colour_on_stdout() {
   return isatty(STDOUT_FILENO) && !(no_colour && *no_colour);
 }
 
-void require_one_mask(const Scheme& scheme, const std::string& verb) {
-  if (scheme.surface) throw InputError(fmt::format("{} is a surface scheme: '{}' needs a scheme with one mask", scheme.name, verb));
-  if (scheme.sequence) throw InputError(fmt::format("{} is nonstationary: '{}' needs a scheme with one mask", scheme.name, verb));
-}
-
 void write_file(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path temporary = file.string() + ".part";
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);

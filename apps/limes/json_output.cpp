@@ -38,6 +38,9 @@ Json claim_json(const Scheme& scheme, const Claim& claim) {
   return json;
 }
 
+/// Decimals rounded outward.
+Json enclosure_json(const Interval& x) { return {to_decimal(x.lower, 17, Rounding::down), to_decimal(x.upper, 17, Rounding::up)}; }
+
 Json symbol_json(const LaurentPolynomial& symbol, const VariableNames& names) {
   Json coefficients = Json::array();
   for (const RationalFunction& c : symbol.coefficients()) coefficients.push_back(to_string(c, names));
@@ -133,14 +136,23 @@ std::string matrix_json(const MatrixReport& report) {
     for (int column = -last; column <= last; ++column) entries.push_back(to_string(matrix.entry(row, column), report.names));
     rows.push_back(std::move(entries));
   }
-  return text({{"size", matrix.size()},
+  Json eigenvalues = Json::array();
+  for (const ComplexRoot& root : report.eigenvalues) {
+    eigenvalues.push_back({{"re", enclosure_json(root.re)},
+                           {"im", enclosure_json(root.im)},
+                           {"modulus", enclosure_json(root.modulus)},
+                           {"multiplicity", root.multiplicity}});
+  }
+  Json json{{"size", matrix.size()},
                {"matrix", rows},
                {"characteristic_polynomial", to_string(report.split.chi, report.names)},
                {"polynomial_eigenvalues", report.split.smoothness + 1},
                {"ell", factors(report.split.ell)},
                {"r", factors(report.split.r)},
                {"eigenvalues_split", !report.split.missing_eigenvalue.has_value()},
-               {"symmetric", report.split.is_symmetric()}});
+               {"symmetric", report.split.is_symmetric()}};
+  if (!report.eigenvalues.empty()) json["eigenvalues"] = eigenvalues;
+  return text(json);
 }
 
 std::string norm_json(const Rational& norm, int order, int level) {
@@ -148,6 +160,23 @@ std::string norm_json(const Rational& norm, int order, int level) {
                {"decimal", to_decimal(norm, 17, Rounding::up)},
                {"order", order},
                {"level", level}});
+}
+
+std::string tables_json(const std::vector<ComparedTable>& tables) {
+  Json list = Json::array();
+  for (const ComparedTable& table : tables) {
+    Json rows = Json::array();
+    for (const TableRow& row : table.rows) {
+      rows.push_back({{"entry", row.entry},
+                      {"published", row.published},
+                      {"computed", row.computed},
+                      {"digits", row.agreement.digits ? Json(*row.agreement.digits) : Json(nullptr)},
+                      {"status", to_string(row.status)},
+                      {"reason", row.reason}});
+    }
+    list.push_back({{"name", table.name}, {"title", table.title}, {"source", table.source}, {"rows", rows}, {"complete", !table.interrupted}});
+  }
+  return text({{"tables", list}});
 }
 
 std::string outputs_json(const std::vector<OutputFile>& outputs) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/verdict.hpp"
+#include "reports/tables/compare_table.hpp"
 #include "schemes/scheme.hpp"
 
 #include <string>
@@ -33,6 +35,8 @@ struct MatrixReport {
   /// Parameters, then gamma.
   VariableNames names;
   SplitCharacteristicPolynomial split;
+  /// At one knot ratio, if asked for.
+  std::vector<ComplexRoot> eigenvalues;
 };
 
 struct OutputFile {
@@ -46,6 +50,7 @@ std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
 std::string matrix_json(const MatrixReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
+std::string tables_json(const std::vector<ComparedTable>& tables);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

@@ -87,6 +87,11 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(-1e100, 1e100))->type_name("SCALE");
   add_common(*refine_verb, refine);
 
+  TablesOptions tables;
+  CLI::App* tables_verb = app.add_subcommand("tables", "Compute the tables of publications again and compare");
+  tables_verb->add_option("table", tables.tables, "Names of tables, files or directories (default: all that come with Limes)")->type_name("TABLE");
+  add_common(*tables_verb, tables);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -100,6 +105,7 @@ int run(int argc, char** argv) {
   if (check_verb->parsed()) return run_check(check);
   if (matrix_verb->parsed()) return run_matrix(matrix);
   if (refine_verb->parsed()) return run_refine(refine);
+  if (tables_verb->parsed()) return run_tables(tables);
   return run_norm(norm);
 }
 

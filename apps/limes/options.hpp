@@ -62,6 +62,10 @@ struct RefineOptions : CommonOptions {
   std::optional<double> comb;
 };
 
+struct TablesOptions : CommonOptions {
+  std::vector<std::string> tables;  // names, files or directories; empty: all that come with Limes
+};
+
 int run_list(const ListOptions& options);
 int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
@@ -69,5 +73,6 @@ int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
 int run_matrix(const MatrixOptions& options);
 int run_refine(const RefineOptions& options);
+int run_tables(const TablesOptions& options);
 
 }  // namespace limes::app

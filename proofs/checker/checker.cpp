@@ -99,6 +99,7 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"U2", check_smoothness},
     {"N1", check_smoothness},
     {"N3", check_smoothness},
+    {"B1", check_biorthogonality},
 };
 
 std::string prove(std::string_view text) {

@@ -13,5 +13,7 @@ using TheoremChecker = std::string (*)(const nlohmann::json& certificate, Budget
 
 /// U1, U2, N1 and N3, whose certificates have one form: scheme, claim, verdict, theorem, proof.
 std::string check_smoothness(const nlohmann::json& certificate, Budget& budget);
+/// B1: multiresolution filters are biorthogonal, with bounds of their norms.
+std::string check_biorthogonality(const nlohmann::json& certificate, Budget& budget);
 
 }  // namespace limes::checker

@@ -1,6 +1,7 @@
 #include "schemes/unity/derive_mask.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/matrix/exact_solve.hpp"
 #include "algebra/number/read_rational.hpp"
 
 #include <fmt/format.h>
@@ -29,29 +30,6 @@ double root_of_quotient(const Rational& x, const Rational& y) {
   return std::sqrt(approx_double(x / y * scale)) / std::sqrt(approx_double(scale));
 }
 
-/// The unique y with a y = b, by elimination; nothing for a singular matrix.
-std::optional<std::vector<Rational>> solve(RationalMatrix a, std::vector<Rational> b) {
-  const int n = a.rows();
-  for (int column = 0; column < n; ++column) {
-    int pivot = column;
-    while (pivot < n && a(pivot, column) == 0) ++pivot;
-    if (pivot == n) return std::nullopt;
-    for (int j = 0; j < n; ++j) std::swap(a(pivot, j), a(column, j));
-    std::swap(b[pivot], b[column]);
-    for (int i = column + 1; i < n; ++i) {
-      if (a(i, column) == 0) continue;
-      const Rational factor = a(i, column) / a(column, column);
-      for (int j = column; j < n; ++j) a(i, j) -= factor * a(column, j);
-      b[i] -= factor * b[column];
-    }
-  }
-  for (int i = n; i-- > 0;) {
-    for (int j = i + 1; j < n; ++j) b[i] -= a(i, j) * b[j];
-    b[i] /= a(i, i);
-  }
-  return b;
-}
-
 /// c = particular + basis y.
 std::vector<Rational> combine(const AffineSolutions& solutions, const std::vector<Rational>& y) {
   std::vector<Rational> c = solutions.basis * y;
@@ -61,19 +39,20 @@ std::vector<Rational> combine(const AffineSolutions& solutions, const std::vecto
 
 std::vector<Rational> minimise(const RationalMatrix& gram, const AffineSolutions& solutions) {
   const int n = gram.rows() - 1, unknowns = solutions.basis.columns();
-  RationalMatrix transposed(unknowns, n), inner(n, n);
-  std::vector<Rational> right(n);
+  RationalMatrix transposed(unknowns, n), inner(n, n), right(n, 1);
   for (int i = 0; i < n; ++i) {
-    right[i] = gram(i, n);
+    right(i, 0) = gram(i, n);
     for (int j = 0; j < n; ++j) {
       inner(i, j) = gram(i, j);
-      right[i] -= gram(i, j) * solutions.particular[j];
+      right(i, 0) -= gram(i, j) * solutions.particular[j];
     }
     for (int j = 0; j < unknowns; ++j) transposed(j, i) = solutions.basis(i, j);
   }
-  const auto y = solve(transposed * inner * solutions.basis, transposed * right);
-  if (!y) throw InputError("rank-deficient system: the dilates are linearly dependent on the samples, so the mask is not unique");
-  return *y;
+  const auto solution = exact_solve(transposed * inner * solutions.basis, transposed * right);
+  if (!solution) throw InputError("rank-deficient system: the dilates are linearly dependent on the samples, so the mask is not unique");
+  std::vector<Rational> y;
+  for (int k = 0; k < unknowns; ++k) y.push_back((*solution)(k, 0));
+  return y;
 }
 
 /// The nearest multiple of 1/unit.

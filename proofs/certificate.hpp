@@ -2,6 +2,7 @@
 
 #include "analysis/nonuniform/dominance_test.hpp"
 #include "analysis/uniform/stability.hpp"
+#include "analysis/unity/projective_roughness.hpp"
 #include "schemes/scheme.hpp"
 
 #include <optional>
@@ -22,6 +23,12 @@ enum class Theorem {
   n1,
   /// An eigenvalue at one isolated knot ratio that C^m does not admit.
   n3,
+  /// Even or odd coefficients that do not sum to 1 leave no limits but zero; a growing word leaves none for some data.
+  p0,
+  /// The projective scheme of a mask converges, by contraction over a cone of weights.
+  p1,
+  /// It is not C^1, by a visible eigenvalue of a word.
+  p2,
 };
 
 std::string to_string(Theorem theorem);
@@ -69,6 +76,17 @@ struct KnotProof {
   std::vector<DominatedFactor> factors;
 };
 
+/// The witness data of Theorem P1 and, with the roughness, of Theorem P2.
+struct ConeProof {
+  ProjectiveContraction contraction;
+  std::optional<ProjectiveRoughness> roughness;
+};
+
+/// The witness data of Theorem P0: for "not C^m" a growing word.
+struct ZeroLimitProof {
+  std::optional<std::vector<int>> word;
+};
+
 /// A complete proof of a verdict, self-contained: docs/certificate.md defines its JSON form and what limes-check verifies.
 struct Certificate {
   std::string scheme;
@@ -78,9 +96,9 @@ struct Certificate {
   /// certified or refuted
   Outcome verdict = Outcome::certified;
   Theorem theorem = Theorem::u1;
-  std::variant<LeafProof, KnotProof> proof;
+  std::variant<LeafProof, KnotProof, ConeProof, ZeroLimitProof> proof;
 
-  /// Highest level of a contraction leaf, 0 without one.
+  /// Highest level of a contraction leaf, the level of a contraction over a cone, 0 without one.
   int level() const;
   /// Number of boxes of the proof.
   int leaf_count() const;

@@ -99,13 +99,10 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"U2", check_smoothness},
     {"N1", check_smoothness},
     {"N3", check_smoothness},
-<<<<<<< HEAD
     {"P0", check_p0},
     {"P1", check_p1},
     {"P2", check_p2},
-=======
     {"B1", check_biorthogonality},
->>>>>>> H
 };
 
 std::string prove(std::string_view text) {

@@ -5,7 +5,9 @@
 #include "proofs/checker/checker.hpp"
 #include "proofs/verdict.hpp"
 #include "reports/tables/compare_table.hpp"
+#include "reports/unity/smoothness_cost.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/unity/optimise_weight.hpp"
 
 #include <string>
 #include <vector>
@@ -39,6 +41,22 @@ struct MatrixReport {
   std::vector<ComplexRoot> eigenvalues;
 };
 
+struct DeriveReport {
+  std::string weight;
+  DerivedMask derived = {};
+  Rational even_sum = {}, odd_sum = {};
+  int sum_rule_order = 0;
+  /// Of --optimise.
+  std::string parameter = {};
+  std::optional<OptimalParameter> optimum = {};
+  /// Of --round.
+  std::string rounding = {};
+  std::optional<std::vector<Rational>> rounded = {};
+  double rounded_error = 0;
+  /// Of --cost.
+  std::vector<SmoothnessCost> costs = {};
+};
+
 struct OutputFile {
   std::string file;
   std::string kind;
@@ -49,6 +67,7 @@ std::string show_json(const Scheme& scheme);
 std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
 std::string matrix_json(const MatrixReport& report);
+std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
 std::string tables_json(const std::vector<ComparedTable>& tables);
 /// What the verbs print that write files.

@@ -50,6 +50,23 @@ struct MatrixOptions : CommonOptions {
   bool latex = false;
 };
 
+struct DeriveOptions : CommonOptions {
+  std::string weight;  // a function's text or a weight file
+  std::string domain;
+  std::string shifts;
+  std::vector<std::string> constraints;
+  std::string method = "samples";
+  int samples = 100000;
+  int precision = 53;
+  std::optional<int> decimals;
+  std::string rounding;
+  std::string optimise;
+  std::string accuracy = "1/100";
+  std::optional<int> cost;
+  std::filesystem::path output;
+  std::string name;
+};
+
 struct RefineOptions : CommonOptions {
   std::string scheme;
   std::filesystem::path data;
@@ -72,6 +89,7 @@ int run_verify(const VerifyOptions& options);
 int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
 int run_matrix(const MatrixOptions& options);
+int run_derive(const DeriveOptions& options);
 int run_refine(const RefineOptions& options);
 int run_tables(const TablesOptions& options);
 

@@ -84,6 +84,8 @@ class Arguments {
     }
   }
 
+  void set(const std::string& key, const Rational& value) { values_[key] = to_string(value); }
+
   std::optional<std::string> take(const std::string& key) {
     const auto found = values_.find(key);
     if (found == values_.end()) return std::nullopt;
@@ -137,7 +139,7 @@ WeightFunction read_shape(const std::string& name, Arguments& arguments) {
 
 }  // namespace
 
-WeightFunction read_weight(const std::string& text) {
+WeightFunction read_weight(const std::string& text, const std::vector<std::pair<std::string, Rational>>& settings) {
   const std::size_t open = text.find('(');
   const std::string name = trimmed(text.substr(0, open));
   if (name != "bspline" && name != "polynomial" && name != "cinpact" && name != "interpolating-cinpact") {
@@ -147,6 +149,7 @@ WeightFunction read_weight(const std::string& text) {
   const std::string rest = trimmed(std::string_view(text).substr(std::min(open, text.size())));
   if (rest.size() < 2 || rest.back() != ')') throw InputError(fmt::format("{}: expected arguments in parentheses", name));
   Arguments arguments(name, std::string_view(rest).substr(1, rest.size() - 2));
+  for (const auto& [key, value] : settings) arguments.set(key, value);
   WeightFunction weight = read_shape(name, arguments);
   if (const auto centre = arguments.take("centre")) weight.centre = read_rational(*centre);
   arguments.finish();

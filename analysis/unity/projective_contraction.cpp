@@ -5,8 +5,8 @@
 namespace limes {
 namespace {
 
-/// A multiple of 2^-48 near x.
-Rational dyadic(double x) { return Rational(std::round(std::ldexp(x, 48))) / power(Rational(2), 48); }
+/// A multiple of 2^-24 near x.
+Rational dyadic(double x) { return Rational(std::round(std::ldexp(x, 24))) / power(Rational(2), 24); }
 
 /// Shares are integers times this: short numbers in long sums.
 const Integer share_unit = Integer(1) << 64;

@@ -40,15 +40,32 @@ Vector rational_product(const Sections& scheme, const std::vector<int>& word, Bu
   return matrix;
 }
 
-/// The inverse of an n x n matrix by elimination. \throws Rejected when it is singular
-Vector inverse(Vector a, std::size_t n, Budget& budget) {
-  Vector result(n * n);
-  for (std::size_t i = 0; i < n; ++i) result[i * n + i] = 1;
+/// x, rounded to a multiple of 2^-bits.
+mpq_class rounded(const mpq_class& x, unsigned bits) {
+  mpz_class numerator = x.get_num() << bits;
+  mpz_fdiv_q(numerator.get_mpz_t(), numerator.get_mpz_t(), x.get_den().get_mpz_t());
+  mpq_class result(numerator, mpz_class(1) << bits);
+  result.canonicalize();
+  return result;
+}
+
+/// An approximate inverse of an n x n matrix, by elimination in floating point of 256 bits: any matrix will do that passes the test below.
+/// \throws Rejected when no pivot is found
+Vector approximate_inverse(const Vector& matrix, std::size_t n, Budget& budget) {
+  constexpr unsigned precision = 256;
+  const auto size = static_cast<double>(n);
+  budget.work(size * size * size * 600);
+  std::vector<mpf_class> a, result;
+  for (const auto& x : matrix) {
+    a.emplace_back(x, precision);
+    result.emplace_back(a.size() % (n + 1) == 1 ? 1 : 0, precision);
+  }
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
-    while (pivot < n && a[pivot * n + k] == 0) ++pivot;
-    if (pivot == n) throw Rejected{"eigenvector", "the Jacobian of the eigenvalue problem is singular"};
-    const mpq_class head = 1 / a[pivot * n + k];
+    for (std::size_t i = k; i < n; ++i)
+      if (abs(a[i * n + k]) > abs(a[pivot * n + k])) pivot = i;
+    if (a[pivot * n + k] == 0) throw Rejected{"eigenvector", "the Jacobian of the eigenvalue problem is singular"};
+    const mpf_class head = 1 / a[pivot * n + k];
     for (std::size_t j = 0; j < n; ++j) {
       std::swap(a[pivot * n + j], a[k * n + j]);
       std::swap(result[pivot * n + j], result[k * n + j]);
@@ -57,24 +74,19 @@ Vector inverse(Vector a, std::size_t n, Budget& budget) {
     }
     for (std::size_t i = 0; i < n; ++i) {
       if (i == k || a[i * n + k] == 0) continue;
-      const mpq_class factor = a[i * n + k];
+      const mpf_class factor = a[i * n + k];
       for (std::size_t j = 0; j < n; ++j) {
-        budget.work(200 + 4 * limbs(factor) * std::max(limbs(a[k * n + j]), limbs(result[k * n + j])));
         a[i * n + j] -= factor * a[k * n + j];
         result[i * n + j] -= factor * result[k * n + j];
       }
     }
   }
-  return result;
-}
-
-/// x, rounded to a multiple of 2^-bits.
-mpq_class rounded(const mpq_class& x, unsigned bits) {
-  mpz_class numerator = x.get_num() << bits;
-  mpz_fdiv_q(numerator.get_mpz_t(), numerator.get_mpz_t(), x.get_den().get_mpz_t());
-  mpq_class result(numerator, mpz_class(1) << bits);
-  result.canonicalize();
-  return result;
+  Vector inverse;
+  for (const auto& x : result) {
+    if (abs(x) > mpf_class("1e60")) throw Rejected{"eigenvector", "the Jacobian of the eigenvalue problem is nearly singular"};
+    inverse.push_back(rounded(mpq_class(x), 192));
+  }
+  return inverse;
 }
 
 /// An exact eigenpair near the given one (Newton, Kantorovich): with one component fixed to 1, unknowns x = (the others, lambda),
@@ -103,11 +115,7 @@ Eigenpair verified_eigenpair(const Vector& matrix, std::size_t n, const Reader& 
     jacobian[i * n + i] -= pair.value;
     jacobian[i * n + fixed] = -pair.vector[i];
   }
-  constexpr unsigned bits = 192;
-  Vector approximate;
-  for (const auto& x : jacobian) approximate.push_back(rounded(x, bits));
-  Vector c = inverse(approximate, n, budget);
-  for (auto& x : c) x = rounded(x, bits);
+  const Vector c = approximate_inverse(jacobian, n, budget);
   mpq_class start = 0, defect = 0, norm = 0;
   for (std::size_t i = 0; i < n; ++i) {
     mpq_class newton = 0, row_defect = 0, row_norm = 0;

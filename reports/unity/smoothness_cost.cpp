@@ -31,7 +31,7 @@ Rational exponent_from_norm(const Rational& norm, int level, int rules) {
 std::optional<Rational> exponent_bound(const Mask& mask, const Stop& stop) {
   constexpr int max_level = 8;
   const int rules = sum_rule_order(mask);
-  if (rules == 0) return std::nullopt;
+  if (rules == 0 || mask.symbol(1).constant_value() != 2) return std::nullopt;
   const LaurentPolynomial b = *difference_symbol(mask, rules);
   std::optional<Rational> best;
   for (int level = 1; level <= max_level; ++level) {

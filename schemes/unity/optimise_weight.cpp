@@ -7,10 +7,13 @@
 namespace limes {
 namespace {
 
-/// x rounded to a multiple of the accuracy, kept in the interval.
-Rational on_lattice(double x, const Interval& interval, const Rational& accuracy) {
-  const Rational rounded = Rational(std::round(x / approx_double(accuracy))) * accuracy;
-  return std::clamp(rounded, interval.lower, interval.upper);
+/// The multiples of the accuracy next to x, kept in the interval.
+std::vector<Rational> neighbours(double x, const Interval& interval, const Rational& accuracy) {
+  std::vector<Rational> values;
+  for (const double quotient : {std::floor(x / approx_double(accuracy)), std::ceil(x / approx_double(accuracy))}) {
+    values.push_back(std::clamp(Rational(Rational(quotient) * accuracy), interval.lower, interval.upper));
+  }
+  return values;
 }
 
 /// The middle of a bracket of the minimum of a unimodal function, shorter than the accuracy.
@@ -50,12 +53,13 @@ OptimalParameter optimise_parameter(const std::function<double(const Rational&)>
     if ((k > 0 && values[k - 1] < values[k]) || (k < grid && values[k + 1] <= values[k])) continue;
     const double minimum = golden_section(at, lower + std::max(k - 1, 0) * step, lower + std::min(k + 1, grid) * step,
                                           approx_double(accuracy) / 4, stop);
-    const Rational parameter = on_lattice(minimum, interval, accuracy);
-    const double value = error(parameter);
     best.local_minima.push_back(minimum);
-    if (value >= best.error) continue;
-    best.error = value;
-    best.parameter = parameter;
+    for (const Rational& parameter : neighbours(minimum, interval, accuracy)) {
+      const double value = error(parameter);
+      if (value >= best.error) continue;
+      best.error = value;
+      best.parameter = parameter;
+    }
   }
   return best;
 }

@@ -8,7 +8,7 @@ namespace limes {
 
 /// A least value of E over an interval of one parameter.
 struct OptimalParameter {
-  /// Rounded to a multiple of the accuracy.
+  /// A multiple of the accuracy, the better one of the two next to the minimum (or an end of the interval).
   Rational parameter;
   double error = 0;
   /// Parameters of all local minima that were seen, in rising order.

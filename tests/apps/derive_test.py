@@ -57,9 +57,9 @@ class Derive(unittest.TestCase):
             self.assertEqual(subprocess.run([CHECK, "--quiet", *certificates]).returncode, 0)
 
     def test_optimise_finds_the_published_parameters(self):
-        for c, interval, sigma in (("2.5", "[1,40]", "157/25"), ("4.5", "[1,40]", "739/50")):
-            result = derive("--weight", f"cinpact(c={c}, sigma=1)", "--optimise", f"sigma={interval}", "--samples", "4001")
-            self.assertEqual(result["optimum"]["value"], sigma)
+        for c, sigma, minima in (("2.5", "157/25", 1), ("4", "867/100", 3)):
+            result = derive("--weight", f"cinpact(c={c}, sigma=1)", "--optimise", "sigma=[1,40]", "--samples", "1001")
+            self.assertEqual((result["optimum"]["value"], len(result["optimum"]["local_minima"])), (sigma, minima))
 
     def test_weight_file(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -62,6 +62,40 @@ struct RefineOptions : CommonOptions {
   std::optional<double> comb;
 };
 
+struct FilterOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> parameters;
+  std::optional<int> extension;
+  std::string threshold;
+  std::optional<int> shift;
+  std::string precision = "exact";  // "double", a number of digits
+  std::filesystem::path output;
+  std::filesystem::path certificates = "certificates";
+  std::filesystem::path plot;
+  std::vector<std::string> beside;
+};
+
+/// How data of points, heights or pixels are read and continued at their ends.
+struct GridOptions : CommonOptions {
+  std::filesystem::path data, filters, output;
+  bool closed = false;
+  std::string ends = "half";  // "whole"
+  bool heights = false;
+  bool homogeneous = false;
+  std::filesystem::path coarse;
+};
+
+struct DecomposeOptions : GridOptions {
+  int levels = 1;
+};
+
+struct ReconstructOptions : GridOptions {
+  std::optional<int> levels;
+  std::optional<int> drop;
+  std::optional<double> threshold, keep;
+  std::filesystem::path compare;
+};
+
 int run_list(const ListOptions& options);
 int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
@@ -69,5 +103,8 @@ int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
 int run_matrix(const MatrixOptions& options);
 int run_refine(const RefineOptions& options);
+int run_multiresolution(const FilterOptions& options);
+int run_decompose(const DecomposeOptions& options);
+int run_reconstruct(const ReconstructOptions& options);
 
 }  // namespace limes::app

@@ -228,7 +228,7 @@ void check_length(std::size_t length, const char* what, int levels) {
                                std::size_t{1} << levels));
 }
 
-/// Calls for every detail, level by level from the coarsest.
+/// Calls action(detail, level, whether it is one along the row, along the column), from the coarsest level on.
 template <class Action>
 void for_details(Pyramid& pyramid, int coarsest, int finest, const Action& action) {
   Grid& grid = pyramid.grid;
@@ -236,10 +236,26 @@ void for_details(Pyramid& pyramid, int coarsest, int finest, const Action& actio
     for (int level = coarsest; level >= finest; --level) {
       const Area whole = area(grid, channel, level), inner = area(grid, channel, level + 1);
       for (std::size_t i = 0; i < whole.rows; ++i) {
-        for (std::size_t k = i < inner.rows ? inner.columns : 0; k < whole.columns; ++k) action(whole.row(i)[k]);
+        for (std::size_t k = i < inner.rows ? inner.columns : 0; k < whole.columns; ++k)
+          action(whole.row(i)[k], level, k >= inner.columns, i >= inner.rows);
       }
     }
   }
+}
+
+double norm(const std::vector<double>& x) {
+  double sum = 0;
+  for (const double entry : x) sum += entry * entry;
+  return std::sqrt(sum);
+}
+
+/// P x, x and the result being finite sequences, where they begin being of no interest.
+std::vector<double> refined(const std::vector<double>& x, const std::vector<double>& p) {
+  std::vector<double> result(2 * x.size() + p.size());
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    for (std::size_t m = 0; m < p.size(); ++m) result[2 * j + m] += p[m] * x[j];
+  }
+  return result;
 }
 
 }  // namespace
@@ -346,19 +362,41 @@ void replace_coarse_grid(Pyramid& pyramid, const Grid& coarse) {
   }
 }
 
+std::vector<DetailNorms> PyramidTransform::detail_norms(const Pyramid& pyramid) const {
+  std::vector<DetailNorms> result;
+  std::vector<double> coarse{1}, detail;
+  for (int level = 1; level <= pyramid.levels; ++level) {
+    // Beyond some levels both grow by the factor sqrt(2) per level, closely enough.
+    constexpr int most = 12;
+    if (level <= most) {
+      detail = level == 1 ? impl_->bank.q.taps : refined(detail, impl_->bank.p.taps);
+      coarse = refined(coarse, impl_->bank.p.taps);
+    }
+    const double growth = std::pow(2.0, 0.5 * std::max(0, level - most));
+    const double p = growth * norm(coarse), q = growth * norm(detail);
+    const bool rows = pyramid.grid.rows > 1, columns = pyramid.grid.columns > 1;
+    result.push_back({rows ? q * p : q, columns ? p * q : q, q * q});
+  }
+  return result;
+}
+
 DetailCount drop_details(Pyramid& pyramid, int levels) {
   DetailCount count;
   const int dropped = std::min(levels, pyramid.levels);
-  for_details(pyramid, pyramid.levels, dropped + 1, [&](double) { ++count.kept, ++count.total; });
-  for_details(pyramid, dropped, 1, [&](double& x) { x = 0, ++count.total; });
+  for_details(pyramid, pyramid.levels, dropped + 1, [&](double, int, bool, bool) { ++count.kept, ++count.total; });
+  for_details(pyramid, dropped, 1, [&](double& x, int, bool, bool) { x = 0, ++count.total; });
   return count;
 }
 
-DetailCount threshold_details(Pyramid& pyramid, double threshold) {
+namespace {
+
+/// Keeps the details whose modulus, multiplied by a weight, is at least the threshold.
+template <class Weight>
+DetailCount keep_above(Pyramid& pyramid, double threshold, const Weight& weight) {
   DetailCount count;
-  for_details(pyramid, pyramid.levels, 1, [&](double& x) {
+  for_details(pyramid, pyramid.levels, 1, [&](double& x, int level, bool along_row, bool along_column) {
     ++count.total;
-    if (std::abs(x) < threshold)
+    if (std::abs(x) * weight(level, along_row, along_column) < threshold)
       x = 0;
     else
       ++count.kept;
@@ -366,15 +404,27 @@ DetailCount threshold_details(Pyramid& pyramid, double threshold) {
   return count;
 }
 
-DetailCount keep_details(Pyramid& pyramid, double fraction) {
-  std::vector<double> moduli;
-  for_details(pyramid, pyramid.levels, 1, [&](double x) { moduli.push_back(std::abs(x)); });
-  const auto kept = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(moduli.size())));
-  if (kept >= moduli.size()) return {moduli.size(), moduli.size()};
+}  // namespace
+
+DetailCount threshold_details(Pyramid& pyramid, double threshold) {
+  return keep_above(pyramid, threshold, [](int, bool, bool) { return 1.0; });
+}
+
+DetailCount keep_details(Pyramid& pyramid, double fraction, const std::vector<DetailNorms>& norms) {
+  const auto weight = [&](int level, bool along_row, bool along_column) {
+    const DetailNorms& n = norms[std::size_t(level - 1)];
+    return along_row && along_column ? n.both : along_row ? n.along_row : n.along_column;
+  };
+  std::vector<double> products;
+  for_details(pyramid, pyramid.levels, 1, [&](double x, int level, bool along_row, bool along_column) {
+    products.push_back(std::abs(x) * weight(level, along_row, along_column));
+  });
+  const auto kept = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(products.size())));
+  if (kept >= products.size()) return {products.size(), products.size()};
   if (kept == 0) return drop_details(pyramid, pyramid.levels);
-  const auto place = moduli.begin() + static_cast<long>(kept) - 1;
-  std::nth_element(moduli.begin(), place, moduli.end(), std::greater<>());
-  return threshold_details(pyramid, *place);
+  const auto place = products.begin() + static_cast<long>(kept) - 1;
+  std::nth_element(products.begin(), place, products.end(), std::greater<>());
+  return keep_above(pyramid, *place, weight);
 }
 
 Difference difference(const Grid& a, const Grid& b, double peak) {

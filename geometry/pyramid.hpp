@@ -5,6 +5,7 @@
 #include "schemes/unity/filter_bank.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace limes {
 
@@ -22,6 +23,12 @@ struct Pyramid {
 
   std::size_t coarse_rows() const { return grid.rows == 1 ? 1 : grid.rows >> levels; }
   std::size_t coarse_columns() const { return grid.columns == 1 ? 1 : grid.columns >> levels; }
+};
+
+/// ||P^{l-1} q|| and so on, for one level l: the l^2 norm of what a detail of modulus 1 adds to the fine data, away from
+/// ends. In two directions it is a detail along the columns (of a row), the rows, or both.
+struct DetailNorms {
+  double along_row = 0, along_column = 0, both = 0;
 };
 
 /// The transform f -> (A f, B f) and its inverse, for one bank of filters.
@@ -45,6 +52,8 @@ class PyramidTransform {
   Pyramid without_details(const Grid& coarse, int levels) const;
   /// \throws InputError: the filters are not invertible with this boundary (up to rounding) on a level of the pyramid
   void check_invertible(const Pyramid& pyramid) const;
+  /// Of the levels 1 (the finest) to pyramid.levels.
+  std::vector<DetailNorms> detail_norms(const Pyramid& pyramid) const;
 
  private:
   struct Impl;
@@ -64,8 +73,9 @@ struct DetailCount {
 DetailCount drop_details(Pyramid& pyramid, int levels);
 /// Sets the details of modulus below the threshold to 0.
 DetailCount threshold_details(Pyramid& pyramid, double threshold);
-/// Keeps the details of greatest modulus: a fraction of them, from 0 to 1, rounded up (and those of equal modulus).
-DetailCount keep_details(Pyramid& pyramid, double fraction);
+/// Keeps the details with the greatest product of modulus and norm: a fraction of them, from 0 to 1, rounded up (and those
+/// with the same product).
+DetailCount keep_details(Pyramid& pyramid, double fraction, const std::vector<DetailNorms>& norms);
 
 /// 10 log10(peak^2 / mean square of the difference), infinite for equal grids, and the greatest |difference|.
 /// \throws InputError: grids of different shape

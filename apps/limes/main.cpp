@@ -129,7 +129,7 @@ int run(int argc, char** argv) {
   reconstruct_verb->add_option("--coarse", reconstruct.coarse, "Use this coarse version in place of the pyramid's")->type_name("FILE");
   reconstruct_verb->add_option("--drop", reconstruct.drop, "Without the details of the N finest levels")->check(CLI::Range(0, 30))->type_name("N");
   reconstruct_verb->add_option("--threshold", reconstruct.threshold, "Without details of modulus below T")->check(CLI::Range(0.0, 1e300))->type_name("T");
-  reconstruct_verb->add_option("--keep", reconstruct.keep, "With this fraction of the details only, those of greatest modulus")->check(CLI::Range(0.0, 1.0))->type_name("F");
+  reconstruct_verb->add_option("--keep", reconstruct.keep, "With this fraction of the details only, those that change the data most")->check(CLI::Range(0.0, 1.0))->type_name("F");
   reconstruct_verb->add_option("--compare", reconstruct.compare, "Print how far the result is from this file")->type_name("FILE");
   add_common(*reconstruct_verb, reconstruct);
 

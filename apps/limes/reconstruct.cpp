@@ -43,12 +43,12 @@ void replace_coarse(PyramidFile& file, const ReconstructOptions& options) {
   }
 }
 
-std::optional<DetailCount> remove_details(Pyramid& pyramid, const ReconstructOptions& options) {
+std::optional<DetailCount> remove_details(Pyramid& pyramid, const PyramidTransform& transform, const ReconstructOptions& options) {
   if (options.drop.has_value() + options.threshold.has_value() + options.keep.has_value() > 1)
     throw InputError("--drop, --threshold and --keep exclude each other");
   if (options.drop) return drop_details(pyramid, *options.drop);
   if (options.threshold) return threshold_details(pyramid, *options.threshold);
-  if (options.keep) return keep_details(pyramid, *options.keep);
+  if (options.keep) return keep_details(pyramid, *options.keep, transform.detail_norms(pyramid));
   return std::nullopt;
 }
 
@@ -83,8 +83,8 @@ int run_reconstruct(const ReconstructOptions& options) {
   const FilterBank filters = read_filter_file(options.filters);
   PyramidFile file = read(options, filters);
   replace_coarse(file, options);
-  const std::optional<DetailCount> details = remove_details(file.pyramid, options);
   const PyramidTransform transform(filters, file.pyramid.boundary);
+  const std::optional<DetailCount> details = remove_details(file.pyramid, transform, options);
   try {
     const int levels = options.levels.value_or(file.pyramid.levels);
     file.pyramid = transform.reconstruct(std::move(file.pyramid), levels, session.stop());

@@ -162,18 +162,40 @@ TEST(Pyramid, LossyUse) {
   EXPECT_EQ(drop_details(x, 1).kept, 3u * (64 - 16));
   EXPECT_EQ(drop_details(x, 5).kept, 0u);
   x = pyramid;
-  const DetailCount count = keep_details(x, 0.25);
+  const DetailCount count = keep_details(x, 0.25, transform.detail_norms(x));
   EXPECT_EQ(count.total, 3u * (256 - 16));
   EXPECT_EQ(count.kept, 180u);
   double before = 0;
   for (const double fraction : {0.1, 0.3, 0.6, 0.9}) {
     x = pyramid;
-    keep_details(x, fraction);
+    keep_details(x, fraction, transform.detail_norms(x));
     const double psnr = difference(transform.reconstruct(x, 2).grid, data, 2).psnr;
     EXPECT_GT(psnr, before);
     before = psnr;
   }
   EXPECT_TRUE(std::isinf(difference(data, data, 2).psnr));
+}
+
+TEST(Pyramid, DetailNormsAreTheNormsOfWhatADetailAdds) {
+  for (const auto& [name, bank] : banks()) {
+    const PyramidTransform transform(bank, Boundary::periodic);
+    for (const std::size_t rows : {1u, 256u}) {
+      const Pyramid empty = transform.without_details(Grid{rows == 1 ? 1u : 64u, 64, 1, std::vector<double>(rows == 1 ? 64 : 4096)}, 2);
+      const std::vector<DetailNorms> norms = transform.detail_norms(empty);
+      const auto norm_of = [&](std::size_t row, std::size_t column) {
+        Pyramid pyramid = empty;
+        pyramid.grid.at(0, row, column) = 1;
+        double sum = 0;
+        for (const double x : transform.reconstruct(pyramid, 2).grid.values) sum += x * x;
+        return std::sqrt(sum);
+      };
+      EXPECT_NEAR(norm_of(0, 100), norms[1].along_row, 1e-12) << name;
+      EXPECT_NEAR(norm_of(0, 200), norms[0].along_row, 1e-12) << name;
+      if (rows == 1) continue;
+      EXPECT_NEAR(norm_of(100, 10), norms[1].along_column, 1e-12) << name;
+      EXPECT_NEAR(norm_of(200, 210), norms[0].both, 1e-12) << name;
+    }
+  }
 }
 
 TEST(Pyramid, Errors) {

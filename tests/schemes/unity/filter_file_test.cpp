@@ -24,7 +24,7 @@ TEST(FilterFile, ComesBack) {
 
 TEST(FilterFile, CdfFiltersInvertEachOtherToTheirDigits) {
   const FilterBank bank = read_filter_file(LIMES_SOURCE_DIR "/examples/multiresolution/cdf-9-7.json");
-  EXPECT_LT(exact_biorthogonality_defect(bank), power(Rational(10), -15));
+  EXPECT_LT(exact_biorthogonality_defect(bank), power(Rational(10), -13));
 }
 
 TEST(FilterFile, ErrorsAreOneLineWithTheFile) {

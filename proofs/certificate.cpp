@@ -1,6 +1,7 @@
 #include "proofs/certificate.hpp"
 
 #include "algebra/error.hpp"
+#include "proofs/nonstationary/sequence_proof.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -126,17 +127,22 @@ std::string to_string(Theorem theorem) {
     case Theorem::u2: return "U2";
     case Theorem::n1: return "N1";
     case Theorem::n3: return "N3";
+    case Theorem::s1: return "S1";
+    case Theorem::s2: return "S2";
   }
   throw InternalError("unknown theorem");
 }
 
 int Certificate::level() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return highest_level(leaves->leaves);
+  if (const auto* asymptotic = std::get_if<AsymptoticProof>(&proof)) return asymptotic->limit_level;
+  if (std::holds_alternative<SpaceProof>(proof)) return 0;
   return highest_level(std::get<KnotProof>(proof).uniform_leaves);
 }
 
 int Certificate::leaf_count() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return static_cast<int>(leaves->leaves.size());
+  if (!std::holds_alternative<KnotProof>(proof)) return 1;
   const KnotProof& knots = std::get<KnotProof>(proof);
   std::size_t count = knots.uniform_leaves.size();
   for (const DominatedFactor& factor : knots.factors) count += factor.leaves.size();
@@ -144,6 +150,7 @@ int Certificate::leaf_count() const {
 }
 
 std::string to_json(const Certificate& certificate) {
+  if (std::holds_alternative<MaskSequence>(certificate.definition)) return sequence_certificate_json(certificate);
   const Json json{{"format", "limes-certificate"},
                   {"version", 1},
                   {"scheme", scheme_to_json(certificate)},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "analysis/nonstationary/asymptotic_bound.hpp"
+#include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/nonuniform/dominance_test.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "schemes/scheme.hpp"
@@ -22,6 +24,10 @@ enum class Theorem {
   n1,
   /// An eigenvalue at one isolated knot ratio that C^m does not admit.
   n3,
+  /// Asymptotic equivalence to a uniform scheme that U1 proves C^m. [Dyn & Levin 1995]
+  s1,
+  /// Functions that every step of a nonstationary scheme reproduces or generates, as identities.
+  s2,
 };
 
 std::string to_string(Theorem theorem);
@@ -69,16 +75,36 @@ struct KnotProof {
   std::vector<DominatedFactor> factors;
 };
 
+/// The witness data of Theorem S1.
+struct AsymptoticProof {
+  AsymptoticBound bound;
+  /// The U1 certificate of the limit scheme, in JSON, and its level.
+  std::string limit_certificate;
+  int limit_level = 0;
+};
+
+/// The witness data of Theorem S2.
+struct SpaceProof {
+  /// From which on the masks are defined by one test.
+  int from_level = 0;
+  /// One for each function, when it is to be shown that none is reproduced (generated).
+  std::vector<MomentDefect> defects;
+  /// Of a refutation: the function, by its place in the statement, and the angles at which the opposite is shown for it.
+  std::optional<int> function;
+  Interval angles;
+};
+
 /// A complete proof of a verdict, self-contained: docs/certificate.md defines its JSON form and what limes-check verifies.
 struct Certificate {
   std::string scheme;
   VariableNames parameters;
-  std::variant<Mask, InsertionRuleText> definition;
+  std::variant<Mask, InsertionRuleText, MaskSequence> definition;
   Claim claim;
   /// certified or refuted
   Outcome verdict = Outcome::certified;
   Theorem theorem = Theorem::u1;
-  std::variant<LeafProof, KnotProof> proof;
+  using Proof = std::variant<LeafProof, KnotProof, AsymptoticProof, SpaceProof>;
+  Proof proof;
 
   /// Highest level of a contraction leaf, 0 without one.
   int level() const;

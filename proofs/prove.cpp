@@ -3,6 +3,7 @@
 #include "algebra/error.hpp"
 #include "algebra/polynomial/bernstein_form.hpp"
 #include "proofs/checker/checker.hpp"
+#include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/nonuniform/knot_proof.hpp"
 #include "proofs/uniform/smoothness_proof.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 /// What became of "C^m" or "not C^m" on a region.
 struct Attempt {
-  std::optional<std::variant<LeafProof, KnotProof>> proof;
+  std::optional<Certificate::Proof> proof;
   Theorem theorem = Theorem::u1;
   std::string reason;
   /// Where it got stuck: a candidate for the opposite; for non-uniform schemes with the knot ratio, if one is to blame.
@@ -89,6 +90,11 @@ std::string describe_proof(const Certificate& certificate) {
     if (certificate.verdict != Outcome::refuted || certificate.parameters.empty()) return describe_leaf(leaf, m);
     return fmt::format("at {}: {}", describe_point(midpoint(leaf.region), certificate.parameters), describe_leaf(leaf, m));
   }
+  if (const auto* asymptotic = std::get_if<AsymptoticProof>(&certificate.proof)) {
+    return fmt::format("the limit scheme is C{} and the masks tend to it like x^{}, x = {} p^-(k+1)", m, asymptotic->bound.order,
+                       certificate.parameters.front());
+  }
+  if (std::holds_alternative<SpaceProof>(certificate.proof)) return describe_space_proof(certificate);
   return fmt::format("equal intervals: contraction; all other eigenvalues at an isolated knot ratio are below 2^-{}", m);
 }
 
@@ -103,6 +109,7 @@ Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, Atte
                           .theorem = attempt.theorem,
                           .proof = std::move(*attempt.proof)};
   if (scheme.insertion_rule) certificate.definition = scheme.insertion_rule->text();
+  if (scheme.sequence) certificate.definition = *scheme.sequence;
   verdict.reason = describe_proof(certificate);
   verdict.certificate_json = to_json(certificate);
   verdict.certificate = std::move(certificate);
@@ -132,10 +139,31 @@ std::optional<MultivariatePolynomial> possible_pole(const Scheme& scheme, const 
   return std::nullopt;
 }
 
+Verdict prove_for_sequence(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  Verdict undecided;
+  try {
+    SequenceAttempt attempt = prove_sequence_claim(*scheme.sequence, claim, limits, stop);
+    if (attempt.outcome != Outcome::undecided) {
+      return conclude(scheme, claim, attempt.outcome,
+                      {.proof = std::move(attempt.proof), .theorem = claim.space ? Theorem::s2 : Theorem::s1, .reason = {},
+                       .failing_point = {}, .failing_ratio = {}});
+    }
+    undecided.reason = attempt.reason;
+  } catch (const LimitError& error) {
+    undecided.reason = error.reason();
+  } catch (const Interrupted& interrupted) {
+    undecided.reason = interrupted.what();
+    undecided.interrupted = true;
+  }
+  return undecided;
+}
+
 }  // namespace
 
 Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
+  if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
+  if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
   if (const auto pole = possible_pole(scheme, claim.region)) {
     undecided.reason = fmt::format("the definition may have a pole in the region: a zero of {}",

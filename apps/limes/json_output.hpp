@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/nonuniform/dominance_comparison.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/verdict.hpp"
@@ -35,6 +36,17 @@ struct MatrixReport {
   SplitCharacteristicPolynomial split;
 };
 
+struct DominanceReport {
+  std::string scheme;
+  Claim claim;
+  std::string region;
+  /// Parameters, then gamma.
+  VariableNames names;
+  /// Why there is nothing to compare; empty otherwise.
+  std::string reason;
+  std::vector<FactorComparison> factors;
+};
+
 struct OutputFile {
   std::string file;
   std::string kind;
@@ -45,6 +57,7 @@ std::string show_json(const Scheme& scheme);
 std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
 std::string matrix_json(const MatrixReport& report);
+std::string dominance_json(const std::vector<DominanceReport>& reports);
 std::string norm_json(const Rational& norm, int order, int level);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);

@@ -50,6 +50,23 @@ struct MatrixOptions : CommonOptions {
   bool latex = false;
 };
 
+struct DominanceOptions : CommonOptions {
+  std::vector<std::string> schemes;
+  std::optional<std::string> claim;
+  std::vector<std::string> parameters;
+  int boxes = 256;
+};
+
+struct SearchOptions : CommonOptions {
+  std::string scheme;
+  std::string claim;
+  std::vector<std::string> parameters;
+  int starts = 16;
+  std::filesystem::path journal;       // empty: none is kept
+  std::filesystem::path certificates;  // empty: none are written
+  std::filesystem::path output;        // empty: none
+};
+
 struct RefineOptions : CommonOptions {
   std::string scheme;
   std::filesystem::path data;
@@ -102,6 +119,8 @@ int run_verify(const VerifyOptions& options);
 int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
 int run_matrix(const MatrixOptions& options);
+int run_dominance(const DominanceOptions& options);
+int run_search(const SearchOptions& options);
 int run_refine(const RefineOptions& options);
 int run_multiresolution(const FilterOptions& options);
 int run_decompose(const DecomposeOptions& options);

@@ -99,6 +99,8 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"U2", check_smoothness},
     {"N1", check_smoothness},
     {"N3", check_smoothness},
+    {"S1", check_s1},
+    {"S2", check_s2},
     {"B1", check_biorthogonality},
 };
 

@@ -115,6 +115,40 @@ struct TablesOptions : CommonOptions {
   std::vector<std::string> tables;  // names, files or directories; empty: all that come with Limes
 };
 
+struct FilterOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> parameters;
+  std::optional<int> extension;
+  std::string threshold;
+  std::optional<int> shift;
+  std::string precision = "exact";  // "double", a number of digits
+  std::filesystem::path output;
+  std::filesystem::path certificates = "certificates";
+  std::filesystem::path plot;
+  std::vector<std::string> beside;
+};
+
+/// How data of points, heights or pixels are read and continued at their ends.
+struct GridOptions : CommonOptions {
+  std::filesystem::path data, filters, output;
+  bool closed = false;
+  std::string ends = "half";  // "whole"
+  bool heights = false;
+  bool homogeneous = false;
+  std::filesystem::path coarse;
+};
+
+struct DecomposeOptions : GridOptions {
+  int levels = 1;
+};
+
+struct ReconstructOptions : GridOptions {
+  std::optional<int> levels;
+  std::optional<int> drop;
+  std::optional<double> threshold, keep;
+  std::filesystem::path compare;
+};
+
 int run_list(const ListOptions& options);
 int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
@@ -127,5 +161,8 @@ int run_search(const SearchOptions& options);
 int run_derive(const DeriveOptions& options);
 int run_refine(const RefineOptions& options);
 int run_tables(const TablesOptions& options);
+int run_multiresolution(const FilterOptions& options);
+int run_decompose(const DecomposeOptions& options);
+int run_reconstruct(const ReconstructOptions& options);
 
 }  // namespace limes::app

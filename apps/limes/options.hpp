@@ -66,6 +66,17 @@ struct TablesOptions : CommonOptions {
   std::vector<std::string> tables;  // names, files or directories; empty: all that come with Limes
 };
 
+struct ReportOptions : CommonOptions {
+  std::vector<std::string> schemes;
+  std::optional<std::string> claim;
+  std::vector<std::string> parameters;
+  std::filesystem::path output;
+  bool fragment = false;
+  bool no_pdf = false;
+  std::string format = "latex";   // "latex", "markdown"
+  std::string engine = "pdflatex";  // "pdflatex", "lualatex"
+};
+
 int run_list(const ListOptions& options);
 int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
@@ -74,5 +85,6 @@ int run_norm(const NormOptions& options);
 int run_matrix(const MatrixOptions& options);
 int run_refine(const RefineOptions& options);
 int run_tables(const TablesOptions& options);
+int run_report(const ReportOptions& options);
 
 }  // namespace limes::app

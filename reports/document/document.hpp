@@ -73,9 +73,9 @@ struct Statement;
 
 using Block = std::variant<Heading, Paragraph, Display, DataTable, Figure, Statement>;
 
-/// A theorem (named by its title), a proposition (numbered), a proof, a remark.
+/// A theorem (named by its title), a proposition (numbered), a proof, a remark, an erratum of a source.
 struct Statement {
-  enum class Kind { theorem, proposition, proof, remark };
+  enum class Kind { theorem, proposition, proof, remark, erratum };
   Kind kind = Kind::proposition;
   RichText title;
   std::vector<Block> body;

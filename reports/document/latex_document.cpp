@@ -58,6 +58,16 @@ constexpr const char* preamble = R"(\documentclass[a4paper,11pt]{article}
 \setlength{\parskip}{3pt plus 2pt}
 \setlength{\LTpre}{8pt plus 4pt}
 \setlength{\LTpost}{8pt plus 4pt}
+\setlength{\LTcapwidth}{\textwidth}
+\renewcommand{\topfraction}{.9}
+\renewcommand{\bottomfraction}{.7}
+\renewcommand{\textfraction}{.08}
+\renewcommand{\floatpagefraction}{.8}
+\setcounter{topnumber}{4}
+\setcounter{totalnumber}{6}
+\makeatletter
+\renewcommand*{\l@section}{\@dottedtocline{1}{0em}{2em}}
+\makeatother
 \newtheoremstyle{limesnamed}{}{}{\itshape}{}{\bfseries}{.}{.5em}{\thmnote{#3}}
 \theoremstyle{limesnamed}
 \newtheorem*{namedtheorem}{Theorem}
@@ -65,6 +75,7 @@ constexpr const char* preamble = R"(\documentclass[a4paper,11pt]{article}
 \newtheorem{proposition}{Proposition}[section]
 \theoremstyle{remark}
 \newtheorem*{remark}{Remark}
+\newtheorem*{erratum}{Erratum}
 )";
 
 /// What a fragment needs from packages that the article may not have.
@@ -89,10 +100,11 @@ class LatexWriter {
     }
     text_ = preamble;
     text_ += fmt::format("\\hypersetup{{pdftitle={{{}}}}}\n", escaped(document_.title));
-    text_ += fmt::format("\\title{{{}}}\n\\author{{}}\n\\date{{{}{}{}}}\n\\begin{{document}}\n\\maketitle\n", escaped(document_.title),
-                         inline_text(document_.subtitle), document_.subtitle.empty() || options_.date.empty() ? "" : "\\\\",
-                         escaped(options_.date));
-    text_ += "\\tableofcontents\n\n";
+    text_ += fmt::format("\\begin{{document}}\n\\begin{{center}}\n{{\\LARGE {}\\par}}\n", escaped(document_.title));
+    for (const std::string& line : {inline_text(document_.subtitle), escaped(options_.date)}) {
+      if (!line.empty()) text_ += fmt::format("\\medskip\n{}\\par\n", line);
+    }
+    text_ += "\\end{center}\n\\tableofcontents\n\n";
     blocks(document_.blocks);
     bibliography();
     return text_ + "\\end{document}\n";
@@ -200,6 +212,13 @@ class LatexWriter {
       }
       return;
     }
+    constexpr std::size_t small_table = 16;
+    if (table.caption.empty() && table.rows.size() <= small_table) {
+      text_ += fmt::format("\\begin{{center}}\\small\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\midrule\n", columns, row(table.header));
+      for (const auto& cells : table.rows) text_ += row(cells);
+      text_ += "\\bottomrule\n\\end{tabular}\n\\end{center}\n";
+      return;
+    }
     text_ += fmt::format("{{\\small\\begin{{longtable}}{{{}}}\n", columns);
     if (!table.caption.empty()) {
       text_ += fmt::format("\\caption{{{}}}", inline_text(table.caption));
@@ -208,12 +227,13 @@ class LatexWriter {
     }
     text_ += fmt::format("\\toprule\n{}\\midrule\n\\endhead\n\\bottomrule\n\\endlastfoot\n", row(table.header));
     for (const auto& cells : table.rows) text_ += row(cells);
-    text_ += "\\end{longtable}}\n";
+    // A longtable counts itself even without a caption.
+    text_ += table.caption.empty() ? "\\end{longtable}}\n\\addtocounter{table}{-1}\n" : "\\end{longtable}}\n";
   }
 
   void write_block(const Figure& figure) {
     if (options_.fragment) return;
-    text_ += "\\begin{figure}[htbp]\n\\centering\n";
+    text_ += "\\begin{figure}[!htbp]\n\\centering\n";
     for (std::size_t k = 0; k < figure.panels.size(); ++k) {
       text_ += fmt::format("{}\\input{{figures/{}-{}.pgf}}", k > 0 ? "\\hfill\n" : "", figure.name, k + 1);
     }
@@ -225,12 +245,13 @@ class LatexWriter {
         {Statement::Kind::theorem, {"namedtheorem", ""}},
         {Statement::Kind::proposition, {"proposition", "Proposition"}},
         {Statement::Kind::proof, {"proof", "Proof"}},
-        {Statement::Kind::remark, {"remark", "Remark"}}};
+        {Statement::Kind::remark, {"remark", "Remark"}},
+        {Statement::Kind::erratum, {"erratum", "Erratum"}}};
     const auto& [environment, word] = kinds.at(statement.kind);
     const std::string title = inline_text(statement.title);
     if (options_.fragment) {
       const bool italic = statement.kind == Statement::Kind::theorem || statement.kind == Statement::Kind::proposition;
-      const bool light = statement.kind == Statement::Kind::proof || statement.kind == Statement::Kind::remark;
+      const bool light = !italic;
       std::string head = word;
       if (statement.kind == Statement::Kind::proposition) head += fmt::format(" {}", ++propositions_);
       if (!title.empty()) head += head.empty() ? title : fmt::format(" ({})", title);

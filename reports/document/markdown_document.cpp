@@ -109,6 +109,7 @@ class MarkdownWriter {
         break;
       case Statement::Kind::proof: text_ += "*Proof.* "; break;
       case Statement::Kind::remark: text_ += "*Remark.* "; break;
+      case Statement::Kind::erratum: text_ += "*Erratum.* "; break;
     }
     blocks(statement.body);
   }

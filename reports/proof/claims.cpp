@@ -33,6 +33,28 @@ RichText assertion(const Scheme& scheme, const Claim& claim) {
   return rich(fmt::format("For {} ${}$ the scheme is {}{}.", claim.negated ? "no" : "every", region, smooth, knots));
 }
 
+/// With a capital letter and a full stop, unless it begins with a formula.
+RichText sentence(std::string words) {
+  while (!words.empty() && (words.back() == '.' || words.back() == ' ' || words.back() == '\n')) words.pop_back();
+  if (words.size() > 1 && std::islower(static_cast<unsigned char>(words[0])) && std::islower(static_cast<unsigned char>(words[1]))) {
+    words[0] = static_cast<char>(std::toupper(words[0]));
+  }
+  return prose(words + ".");
+}
+
+/// Consecutive paragraphs as one, except before one that begins with an emphasised title.
+Blocks flowing(Blocks blocks) {
+  Blocks result;
+  for (Block& block : blocks) {
+    auto* next = std::get_if<Paragraph>(&block);
+    auto* last = result.empty() ? nullptr : std::get_if<Paragraph>(&result.back());
+    const bool titled = next && !next->text.empty() && next->text.front().kind == Span::Kind::emphasis;
+    if (next && last && !titled) last->text = last->text + rich(" ") + next->text;
+    else result.push_back(std::move(block));
+  }
+  return result;
+}
+
 Blocks proof_of(const Scheme& scheme, const Certificate& certificate, Appendix& appendix, const Stop& stop) {
   switch (certificate.theorem) {
     case Theorem::u1:
@@ -105,10 +127,11 @@ Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, Appendix
     }
     append(proof.body, proof_of(scheme, *verdict.certificate, appendix, stop));
     proof.body.push_back(paragraph(certificate_words(decided)));
+    proof.body = flowing(std::move(proof.body));
     blocks.push_back(std::move(proof));
   }
   if (!claim.erratum.empty()) {
-    blocks.push_back(Statement{.kind = Statement::Kind::remark, .title = {}, .body = {paragraph(rich("*Erratum.* ") + prose(claim.erratum) + rich("."))}});
+    blocks.push_back(Statement{.kind = Statement::Kind::erratum, .title = {}, .body = {paragraph(sentence(claim.erratum))}});
   }
   return blocks;
 }

@@ -56,12 +56,13 @@ RichText stability_text(const Mask& mask) {
   return rich(" The integer shifts of its basic limit function are linearly independent, hence stable [@JiaWang1993].");
 }
 
-Blocks uniform_definition(const Scheme& scheme, const std::string& words) {
+/// \param with_range whether the parameters' range is told after the words
+Blocks uniform_definition(const Scheme& scheme, const std::string& words, bool with_range) {
   Blocks blocks;
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();
   const int k = sum_rule_order(mask);
-  blocks.push_back(paragraph(rich(words) + parameters_text(scheme)));
+  blocks.push_back(paragraph(rich(words) + (with_range ? parameters_text(scheme) : RichText{})));
   blocks.push_back(refinement_rules(mask, names));
   const LaurentPolynomial b = *difference_symbol(mask, k);
   const std::string factor = k == 0 ? fmt::format("{}\\,b(z)", mask.arity)
@@ -116,7 +117,7 @@ Blocks nonuniform_definition(const Scheme& scheme) {
       "Here `f(k,j)` is the interpolant of degree $k$ about the interval $i+j$, localised to $[t_i,t_{i+1}]$, and `at(S,u)` is the value of the "
       "segment $S$ at $u\\in[0,1]$; old points stay."));
   append(blocks, coefficients_in_ratios(scheme));
-  append(blocks, uniform_definition(scheme, "For equal knot intervals the scheme is uniform,"));
+  append(blocks, uniform_definition(scheme, "For equal knot intervals the scheme is uniform:", false));
   return blocks;
 }
 
@@ -124,7 +125,7 @@ Blocks nonuniform_definition(const Scheme& scheme) {
 
 Blocks definition(const Scheme& scheme) {
   if (scheme.insertion_rule) return nonuniform_definition(scheme);
-  if (scheme.kind == SchemeKind::uniform) return uniform_definition(scheme, "From points $p_j$ one step makes the points");
+  if (scheme.kind == SchemeKind::uniform) return uniform_definition(scheme, "From points $p_j$ one step makes the points $q_j$ below.", true);
   return {paragraph(rich("The scheme is defined by its file, ") + code(scheme.file.filename().string()) + rich(".") + parameters_text(scheme))};
 }
 

@@ -39,7 +39,7 @@ std::string degrees_text(const LambdaPolynomial& p, const VariableNames& names) 
 }
 
 /// Each d_s on lines of its own.
-Display coefficient_display(const LambdaPolynomial& p, const std::string& name, const VariableNames& names) {
+Display coefficient_display(const LambdaPolynomial& p, const VariableNames& names) {
   Display display;
   for (int s = p.degree(); s >= 0; --s) {
     const MultivariatePolynomial& d = p.coefficients()[static_cast<std::size_t>(s)];
@@ -49,7 +49,7 @@ Display coefficient_display(const LambdaPolynomial& p, const std::string& name, 
       terms.push_back(latex.starts_with('-') ? latex : "+" + latex);
     }
     if (terms.empty()) terms.emplace_back("+0");
-    for (Display::Line& line : broken_sum(fmt::format("d_{{{}}}({})", s, name), terms, 88).lines) display.lines.push_back(std::move(line));
+    for (Display::Line& line : broken_sum(fmt::format("d_{{{}}}", s), terms, 88).lines) display.lines.push_back(std::move(line));
   }
   return display;
 }
@@ -121,13 +121,13 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix
   blocks.push_back(paragraph("*Equal intervals.*"));
   append(blocks, contraction_text(scheme, proof.uniform_leaves, m, stop));
   blocks.push_back(paragraph(fmt::format(
-      "*An isolated ratio $\\gamma$.* The subdivision matrix $L(\\gamma)$ is of size ${0}\\times{0}$ and maps the $k$-th powers of the knots to $2^{{-k}}$ times them, "
+      "*An isolated ratio.* The subdivision matrix $L(\\gamma)$ is of size ${0}\\times{0}$ and maps the $k$-th powers of the knots to $2^{{-k}}$ times them, "
       "$k=0,\\dots,{1}$, identically in $\\gamma${2}. Its characteristic polynomial is, up to a factor without $\\lambda$,",
       size, m, scheme.parameters.empty() ? "" : " and the parameters")));
   std::vector<DominatedFactor> ell, rest;
   for (const DominatedFactor& factor : proof.factors) (factor.polynomial.degree() == 1 ? ell : rest).push_back(factor);
   Display chi{{{"\\chi(\\lambda)", "=" + polynomial_eigenvalues(m) + "\\;\\ell(\\lambda)\\,r(\\lambda),"},
-               {"\\ell(\\lambda)", "=" + product_latex(ell, names) + (rest.empty() ? "," : ",")}}};
+               {"\\ell(\\lambda)", "=" + product_latex(ell, names) + ","}}};
   if (rest.empty()) {
     chi.lines.push_back({"r(\\lambda)", "=1."});
   } else {
@@ -136,7 +136,7 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix
       product += fmt::format("{}{}", rest.size() == 1 ? "r_1(\\lambda)" : fmt::format("r_{}(\\lambda)", k + 1),
                              rest[k].multiplicity > 1 ? fmt::format("^{{{}}}", rest[k].multiplicity) : "");
     }
-    chi.lines.push_back({"r(\\lambda)", "=" + product + (rest.size() == 1 ? "," : ",")});
+    chi.lines.push_back({"r(\\lambda)", "=" + product + ","});
   }
   std::string later;
   for (std::size_t k = 0; k < rest.size(); ++k) {
@@ -153,7 +153,7 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix
       later += ": its coefficients $d_s$ of $\\lambda^s$ are in the [appendix](#appendix).";
       appendix.blocks.push_back(paragraph(prose(scheme.name) + rich(", ") + statement_text(certificate.claim) + rich(": ") + region_rich(scheme, certificate.claim.region) +
                                           rich(fmt::format(", ${}(\\lambda)=\\sum_s d_s\\lambda^s$ with", name))));
-      appendix.blocks.push_back(coefficient_display(rest[k].polynomial, name, names));
+      appendix.blocks.push_back(coefficient_display(rest[k].polynomial, names));
     } else {
       later += "; its coefficients fill pages and are in the certificate.";
     }
@@ -168,7 +168,6 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix
   };
   for (const DominatedFactor& factor : ell) add(factor, mathematics(joined_sum(lambda_terms(factor.polynomial, names))));
   for (std::size_t k = 0; k < rest.size(); ++k) add(rest[k], mathematics(fmt::format("r_{}", k + 1)));
-  const std::string region = scheme.parameters.empty() ? "" : "\\times\\text{region}";
   blocks.push_back(paragraph(fmt::format("All roots of every factor are less than $2^{{-{}}}$ in modulus for all $\\gamma\\in(0,1]${}, which covers $\\gamma>1$ by symmetry:", m,
                                          scheme.parameters.empty() ? "" : " and all parameters of the region")));
   blocks.push_back(std::move(table));

@@ -15,10 +15,9 @@ std::string section_label(const Scheme& scheme) { return "scheme-" + scheme.name
 
 DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
   DataTable table{.caption = {},
-                  .columns = "lllllll",
+                  .columns = "llllll",
                   .header = {rich("scheme"), rich("claim"), rich("region"), rich("verdict"), rich("theorem"), rich("certificate")},
                   .rows = {}};
-  table.columns = "llllll";
   for (const ReportedScheme& reported : schemes) {
     bool first = true;
     for (const DecidedClaim& decided : reported.claims) {
@@ -50,7 +49,7 @@ Blocks summary(const std::vector<ReportedScheme>& schemes) {
   blocks.push_back(Heading{1, rich("Summary"), "summary"});
   std::string text = fmt::format("Of ${}$ claim{} about ${}$ scheme{}, ${}$ {} certified, ${}$ refuted, and ${}$ undecided.", all, all == 1 ? "" : "s", schemes.size(),
                                  schemes.size() == 1 ? "" : "s", counts[0], counts[0] == 1 ? "is" : "are", counts[1], counts[2]);
-  if (errata > 0) text += fmt::format(" ${}$ {} with an erratum against {} source or against a likely hope.", errata, errata == 1 ? "comes" : "come", errata == 1 ? "its" : "their");
+  if (errata > 0) text += fmt::format(" Claims with an erratum, against a source or a likely hope: ${}$.", errata);
   text += " The last column has the first digits of the certificate's SHA-256.";
   blocks.push_back(paragraph(text));
   blocks.push_back(summary_table(schemes));

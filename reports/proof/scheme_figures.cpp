@@ -149,8 +149,8 @@ std::optional<Figure> norms(const ReportedScheme& reported, const std::vector<Ra
   std::size_t colour = 1;
   std::string words;
   for (const auto& [m, points] : curves) {
-    plot.items.push_back(PlotCurve{points, {palette(colour == 1 ? 1 : 6), 1, Dash::solid}});
-    plot.items.push_back(PlotMarkers{points, palette(colour == 1 ? 1 : 6), 1.4});
+    plot.items.push_back(PlotCurve{points, {palette(colour), 1, Dash::solid}});
+    plot.items.push_back(PlotMarkers{points, palette(colour), 1.4});
     words += fmt::format("{}for $C^{{{}}}$ ({})", colour > 1 ? " and " : "", m, colour == 1 ? "blue" : "red");
     ++colour;
   }
@@ -195,7 +195,7 @@ std::optional<Figure> eigenvalues(const ReportedScheme& reported, const std::vec
   disc.x = {"Re", -1.12 * rho, 1.12 * rho};
   disc.y = {"Im", -1.12 * rho, 1.12 * rho};
   std::string data = "gamma,re,im,modulus,multiplicity\n";
-  const std::vector<std::pair<Rational, Color>> ratios{{1, palette(0)}, {Rational(1) / 4, palette(1)}, {Rational(1) / 20, palette(6)}};
+  const std::vector<std::pair<Rational, Color>> ratios{{1, palette(0)}, {Rational(1) / 4, palette(1)}, {Rational(1) / 20, palette(2)}};
   for (const auto& [gamma, color] : ratios) {
     std::vector<PlotPoint> places;
     for (const ComplexRoot& root : remaining_eigenvalues(matrix, point, gamma, smoothness)) {
@@ -227,7 +227,7 @@ std::optional<Figure> eigenvalues(const ReportedScheme& reported, const std::vec
     }
   }
   curves.items.push_back(PlotMarkers{real, palette(3), 0.8});
-  curves.items.push_back(PlotMarkers{moduli, palette(6), 0.8});
+  curves.items.push_back(PlotMarkers{moduli, palette(2), 0.8});
   figure.panels.push_back({curves, curve_data});
   figure.caption = rich(fmt::format(
       "The eigenvalues of $L(\\gamma)$ besides $1,\\dots,2^{{-{0}}}${1}. Left: in the disc of radius $2^{{-{0}}}$ for $\\gamma=1$ (black), $1/4$ (blue), $1/20$ (red). Right: real eigenvalues (green) and "
@@ -270,7 +270,7 @@ std::optional<Figure> comb(const ReportedScheme& reported, const std::vector<Rat
         teeth->tips[i] = {teeth->feet[i].x + shrink * (teeth->tips[i].x - teeth->feet[i].x), teeth->feet[i].y + shrink * (teeth->tips[i].y - teeth->feet[i].y)};
       }
       teeth->stroke.width = 0.5;
-      teeth->every = std::max<std::size_t>(1, teeth->feet.size() / 250);
+      teeth->every = std::max<std::size_t>(1, teeth->feet.size() / 130);
     }
     if (auto* curve = std::get_if<PlotCurve>(&item)) curve->stroke.width = curve->stroke.dash == Dash::dashed ? 0.4 : 0.9;
     if (auto* markers = std::get_if<PlotMarkers>(&item)) markers->radius = 1;
@@ -286,6 +286,15 @@ std::optional<Figure> comb(const ReportedScheme& reported, const std::vector<Rat
 
 }  // namespace
 
+std::vector<Rational> simple_point(const Box& box) {
+  std::vector<Rational> point;
+  for (const Interval& x : box) {
+    const Rational quarter = x.width() / 4;
+    point.push_back(x.is_point() ? x.lower : simplest_between(x.lower + quarter, x.upper - quarter));
+  }
+  return point;
+}
+
 std::vector<Rational> shown_point(const ReportedScheme& reported) {
   const Box* best = nullptr;
   int smoothness = -1;
@@ -297,12 +306,7 @@ std::vector<Rational> shown_point(const ReportedScheme& reported) {
     if (claim.smoothness > smoothness || wider) best = &claim.region, smoothness = claim.smoothness;
   }
   const Box region = best ? *best : reported.scheme.parameter_box();
-  std::vector<Rational> point;
-  for (const Interval& x : region) {
-    const Rational quarter = x.width() / 4;
-    point.push_back(x.is_point() ? x.lower : simplest_between(x.lower + quarter, x.upper - quarter));
-  }
-  return point;
+  return simple_point(region);
 }
 
 int certified_smoothness(const ReportedScheme& reported, std::span<const Rational> point) {

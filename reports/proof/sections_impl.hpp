@@ -46,6 +46,8 @@ Blocks theorem_statements(const std::set<Theorem>& theorems);
 Blocks scheme_figures(const ReportedScheme& reported, const std::filesystem::path& polygons, const Stop& stop);
 /// The parameter value that the plots show: a simple one inside of the region of the smoothest certified claim.
 std::vector<Rational> shown_point(const ReportedScheme& reported);
+/// A simple value in the middle half of a box.
+std::vector<Rational> simple_point(const Box& box);
 /// The greatest m with a certified C^m at the point, -1 without one.
 int certified_smoothness(const ReportedScheme& reported, std::span<const Rational> point);
 

@@ -1,5 +1,6 @@
 // Proofs by U1 and U2 in words and formulas.
 #include "algebra/error.hpp"
+#include "algebra/number/read_rational.hpp"
 #include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/uniform/contractivity_bound.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
@@ -44,7 +45,8 @@ std::optional<Rational> norm_at(const Mask& mask, int smoothness, const std::vec
 
 std::string value_latex(const Rational& norm) {
   const std::string exact = inline_latex(norm);
-  if (exact.size() <= 28) return denominator(norm) == 1 ? "=" + exact : fmt::format("={}\\approx{}", exact, to_decimal(norm, 5, Rounding::nearest));
+  const std::string decimal = to_decimal(norm, 6, Rounding::nearest);
+  if (exact.size() <= 28) return denominator(norm) == 1 ? "=" + exact : fmt::format("={}{}{}", exact, read_rational(decimal) == norm ? "=" : "\\approx", decimal);
   return fmt::format("={}\\ldots", to_decimal(norm, 10, Rounding::down));
 }
 
@@ -157,7 +159,7 @@ Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leav
   const auto* contraction = std::get_if<ContractionWitness>(&leaves.front().witness);
   if (leaves.size() == 1 && contraction) {
     const int level = contraction->level;
-    const std::vector<Rational> point = midpoint(whole);
+    const std::vector<Rational> point = simple_point(whole);
     const std::optional<Rational> norm = norm_at(mask, smoothness, point, level, stop);
     if (is_point(whole)) {
       blocks.push_back(paragraph(norm ? fmt::format("At level $l={}$ the norm is ${}{}<1$.", level, norm_latex(level), value_latex(*norm))

@@ -46,6 +46,7 @@ struct Display {
     std::string left, right;
   };
   std::vector<Line> lines;
+  bool small = false;
 };
 
 struct DataTable {

@@ -186,12 +186,14 @@ class LatexWriter {
       text_ += "\\end{array}\n\\]\n";
       return;
     }
+    if (display.small) text_ += "{\\footnotesize";
     text_ += aligned ? "\\begin{align*}\n" : "\\[\n";
     for (std::size_t k = 0; k < display.lines.size(); ++k) {
       const Display::Line& line = display.lines[k];
       text_ += fmt::format("{}{}{}{}\n", line.left, aligned ? "&" : "", line.right, k + 1 < display.lines.size() ? "\\\\" : "");
     }
-    text_ += aligned ? "\\end{align*}\n" : "\\]\n";
+    text_ += aligned ? "\\end{align*}" : "\\]";
+    text_ += display.small ? "}\n\n" : "\n";
   }
 
   void write_block(const DataTable& table) {

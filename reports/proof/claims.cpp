@@ -55,13 +55,13 @@ Blocks flowing(Blocks blocks) {
   return result;
 }
 
-Blocks proof_of(const Scheme& scheme, const Certificate& certificate, Appendix& appendix, const Stop& stop) {
+Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop) {
   switch (certificate.theorem) {
     case Theorem::u1:
     case Theorem::u2:
-      return uniform_proof(scheme, certificate, stop);
+      return uniform_proof(scheme, certificate, state, stop);
     case Theorem::n1:
-      return knot_proof(scheme, certificate, appendix, stop);
+      return knot_proof(scheme, certificate, state, stop);
     case Theorem::n3:
       return ratio_proof(scheme, certificate, stop);
     default:
@@ -99,7 +99,7 @@ RichText region_rich(const Scheme& scheme, const Box& region) {
   return latex.empty() ? RichText{} : mathematics(latex);
 }
 
-Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, Appendix& appendix, const Stop& stop) {
+Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportState& state, const Stop& stop) {
   const Claim& claim = decided.claim;
   const Verdict& verdict = decided.verdict;
   const RichText source = source_text(claim);
@@ -125,7 +125,7 @@ Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, Appendix
         proof.body.push_back(paragraph(fmt::format("It fails at ${}$.", point_latex(scheme.parameter_names(), midpoint(leaves->leaves.front().region)))));
       }
     }
-    append(proof.body, proof_of(scheme, *verdict.certificate, appendix, stop));
+    append(proof.body, proof_of(scheme, *verdict.certificate, state, stop));
     proof.body.push_back(paragraph(certificate_words(decided)));
     proof.body = flowing(std::move(proof.body));
     blocks.push_back(std::move(proof));

@@ -40,7 +40,7 @@ std::string degrees_text(const LambdaPolynomial& p, const VariableNames& names) 
 
 /// Each d_s on lines of its own.
 Display coefficient_display(const LambdaPolynomial& p, const VariableNames& names) {
-  Display display;
+  Display display{.lines = {}, .small = true};
   for (int s = p.degree(); s >= 0; --s) {
     const MultivariatePolynomial& d = p.coefficients()[static_cast<std::size_t>(s)];
     std::vector<std::string> terms;
@@ -49,7 +49,7 @@ Display coefficient_display(const LambdaPolynomial& p, const VariableNames& name
       terms.push_back(latex.starts_with('-') ? latex : "+" + latex);
     }
     if (terms.empty()) terms.emplace_back("+0");
-    for (Display::Line& line : broken_sum(fmt::format("d_{{{}}}", s), terms, 88).lines) display.lines.push_back(std::move(line));
+    for (Display::Line& line : broken_sum(fmt::format("d_{{{}}}", s), terms, 92).lines) display.lines.push_back(std::move(line));
   }
   return display;
 }
@@ -111,21 +111,13 @@ std::string polynomial_eigenvalues(int smoothness) {
   return smoothness <= 4 ? fmt::format("{}", fmt::join(factors, "")) : fmt::format("(\\lambda-1)(\\lambda-\\tfrac12)\\cdots(\\lambda-2^{{-{}}})", smoothness);
 }
 
-}  // namespace
-
-Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix& appendix, const Stop& stop) {
-  const KnotProof& proof = std::get<KnotProof>(certificate.proof);
-  const int m = certificate.claim.smoothness, size = 2 * scheme.insertion_rule->points() - 1;
-  const VariableNames names = with_ratio(scheme);
+/// The characteristic polynomial in its factors; long ones go to the appendix.
+Blocks characteristic_text(const Scheme& scheme, const Claim& claim, const std::vector<DominatedFactor>& ell, const std::vector<DominatedFactor>& rest,
+                           ReportState& state) {
   Blocks blocks;
-  blocks.push_back(paragraph("*Equal intervals.*"));
-  append(blocks, contraction_text(scheme, proof.uniform_leaves, m, stop));
-  blocks.push_back(paragraph(fmt::format(
-      "*An isolated ratio.* The subdivision matrix $L(\\gamma)$ is of size ${0}\\times{0}$ and maps the $k$-th powers of the knots to $2^{{-k}}$ times them, "
-      "$k=0,\\dots,{1}$, identically in $\\gamma${2}. Its characteristic polynomial is, up to a factor without $\\lambda$,",
-      size, m, scheme.parameters.empty() ? "" : " and the parameters")));
-  std::vector<DominatedFactor> ell, rest;
-  for (const DominatedFactor& factor : proof.factors) (factor.polynomial.degree() == 1 ? ell : rest).push_back(factor);
+  const int m = claim.smoothness;
+  const VariableNames names = with_ratio(scheme);
+  blocks.push_back(paragraph("Its characteristic polynomial is, up to a factor without $\\lambda$,"));
   Display chi{{{"\\chi(\\lambda)", "=" + polynomial_eigenvalues(m) + "\\;\\ell(\\lambda)\\,r(\\lambda),"},
                {"\\ell(\\lambda)", "=" + product_latex(ell, names) + ","}}};
   if (rest.empty()) {
@@ -151,9 +143,9 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix
     later += fmt::format(" The factor ${}$ has {}", name, degrees_text(rest[k].polynomial, names));
     if (width <= longest_appendix) {
       later += ": its coefficients $d_s$ of $\\lambda^s$ are in the [appendix](#appendix).";
-      appendix.blocks.push_back(paragraph(prose(scheme.name) + rich(", ") + statement_text(certificate.claim) + rich(": ") + region_rich(scheme, certificate.claim.region) +
+      state.appendix.push_back(paragraph(prose(scheme.name) + rich(", ") + statement_text(claim) + rich(": ") + region_rich(scheme, claim.region) +
                                           rich(fmt::format(", ${}(\\lambda)=\\sum_s d_s\\lambda^s$ with", name))));
-      appendix.blocks.push_back(coefficient_display(rest[k].polynomial, names));
+      state.appendix.push_back(coefficient_display(rest[k].polynomial, names));
     } else {
       later += "; its coefficients fill pages and are in the certificate.";
     }
@@ -161,6 +153,28 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix
   chi.lines.back().right.back() = '.';
   blocks.push_back(std::move(chi));
   if (!later.empty()) blocks.push_back(paragraph(later.substr(1)));
+  return blocks;
+}
+
+}  // namespace
+
+Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop) {
+  const KnotProof& proof = std::get<KnotProof>(certificate.proof);
+  const int m = certificate.claim.smoothness, size = 2 * scheme.insertion_rule->points() - 1;
+  const VariableNames names = with_ratio(scheme);
+  Blocks blocks;
+  blocks.push_back(paragraph("*Equal intervals.*"));
+  append(blocks, contraction_text(scheme, proof.uniform_leaves, m, state, stop));
+  blocks.push_back(paragraph(fmt::format(
+      "*An isolated ratio.* The subdivision matrix $L(\\gamma)$ is of size ${0}\\times{0}$ and maps the $k$-th powers of the knots to $2^{{-k}}$ times them, "
+      "$k=0,\\dots,{1}$, identically in $\\gamma${2}.",
+      size, m, scheme.parameters.empty() ? "" : " and the parameters")));
+  std::vector<DominatedFactor> ell, rest;
+  for (const DominatedFactor& factor : proof.factors) (factor.polynomial.degree() == 1 ? ell : rest).push_back(factor);
+  std::string key = fmt::format("chi {}", m);
+  for (const DominatedFactor& factor : proof.factors) key += " " + joined_sum(lambda_terms(factor.polynomial, names));
+  if (state.shown.insert(key).second) append(blocks, characteristic_text(scheme, certificate.claim, ell, rest, state));
+  else blocks.push_back(paragraph("Its characteristic polynomial is the one displayed above."));
   DataTable table{.caption = {}, .columns = "llrl", .header = {rich("factor"), rich("multiplicity"), rich("boxes"), rich("test of dominance")}, .rows = {}};
   const auto add = [&](const DominatedFactor& factor, RichText name) {
     table.rows.push_back({std::move(name), mathematics(std::to_string(factor.multiplicity)), mathematics(std::to_string(factor.leaves.size())),

@@ -56,19 +56,20 @@ Blocks summary(const std::vector<ReportedScheme>& schemes) {
   return blocks;
 }
 
-Blocks section(const ReportedScheme& reported, const ProofReportOptions& options, Appendix& appendix, const Stop& stop) {
+Blocks section(const ReportedScheme& reported, const ProofReportOptions& options, ReportState& state, const Stop& stop) {
   const Scheme& scheme = reported.scheme;
   Blocks blocks;
   blocks.push_back(Heading{1, prose(scheme.title), section_label(scheme)});
   RichText words = rich("Scheme `" + scheme.name + "`");
   for (std::size_t k = 0; k < scheme.sources.size(); ++k) words = words + rich((k == 0 ? ", from [@" : ", [@") + scheme.sources[k] + "]");
   blocks.push_back(paragraph(words + rich(".")));
+  state.shown.clear();
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
   if (options.figures) append(blocks, scheme_figures(reported, options.polygons, stop));
   for (const DecidedClaim& decided : reported.claims) {
     stop.check();
-    append(blocks, decided_claim(scheme, decided, appendix, stop));
+    append(blocks, decided_claim(scheme, decided, state, stop));
   }
   return blocks;
 }
@@ -90,11 +91,11 @@ Document proof_report(const std::vector<ReportedScheme>& schemes, const ProofRep
   if (options.front_matter) append(document.blocks, summary(schemes));
   document.blocks.push_back(Heading{1, rich("What is proved, and how"), "theorems"});
   append(document.blocks, theorem_statements(used_theorems(schemes)));
-  Appendix appendix;
-  for (const ReportedScheme& reported : schemes) append(document.blocks, section(reported, options, appendix, stop));
-  if (!appendix.blocks.empty()) {
+  ReportState state;
+  for (const ReportedScheme& reported : schemes) append(document.blocks, section(reported, options, state, stop));
+  if (!state.appendix.empty()) {
     document.blocks.push_back(Heading{1, rich("Appendix: coefficients of long factors"), "appendix"});
-    append(document.blocks, std::move(appendix.blocks));
+    append(document.blocks, std::move(state.appendix));
   }
   return document;
 }

@@ -195,6 +195,7 @@ std::optional<Figure> eigenvalues(const ReportedScheme& reported, const std::vec
   disc.x = {"Re", -1.12 * rho, 1.12 * rho};
   disc.y = {"Im", -1.12 * rho, 1.12 * rho};
   std::string data = "gamma,re,im,modulus,multiplicity\n";
+  double radius = 2.6;
   const std::vector<std::pair<Rational, Color>> ratios{{1, palette(0)}, {Rational(1) / 4, palette(1)}, {Rational(1) / 20, palette(2)}};
   for (const auto& [gamma, color] : ratios) {
     std::vector<PlotPoint> places;
@@ -203,7 +204,8 @@ std::optional<Figure> eigenvalues(const ReportedScheme& reported, const std::vec
       data += fmt::format("{},{},{},{},{}\n", to_string(gamma), to_decimal(root.re.midpoint(), 9, Rounding::nearest), to_decimal(root.im.midpoint(), 9, Rounding::nearest),
                           to_decimal(root.modulus.midpoint(), 9, Rounding::nearest), root.multiplicity);
     }
-    disc.items.push_back(PlotMarkers{places, color, 1.6});
+    disc.items.push_back(PlotMarkers{places, color, radius});
+    radius -= 0.8;  // those that coincide stay visible
   }
   figure.panels.push_back({disc, data});
 

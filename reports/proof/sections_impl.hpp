@@ -14,9 +14,12 @@ inline Paragraph paragraph(RichText text) { return {std::move(text)}; }
 inline Paragraph paragraph(std::string_view markup) { return {rich(markup)}; }
 void append(Blocks& blocks, Blocks more);
 
-/// Where parts that are too long for the section go: coefficient tables in the appendix.
-struct Appendix {
-  Blocks blocks;
+/// What is carried from one proof to the next.
+struct ReportState {
+  /// Parts that are too long for a section.
+  Blocks appendix;
+  /// Formulas that the section of the scheme at hand has displayed: they are not repeated.
+  std::set<std::string> shown;
 };
 
 /// "C^2" or "not C^2".
@@ -27,14 +30,14 @@ RichText region_rich(const Scheme& scheme, const Box& region);
 Blocks definition(const Scheme& scheme);
 
 /// The claim as a proposition and its proof (or why there is none).
-Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, Appendix& appendix, const Stop& stop);
+Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportState& state, const Stop& stop);
 
 /// The proof of a verdict by U1, U2, and by N1, N3.
-Blocks uniform_proof(const Scheme& scheme, const Certificate& certificate, const Stop& stop);
-Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, Appendix& appendix, const Stop& stop);
+Blocks uniform_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop);
+Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop);
 Blocks ratio_proof(const Scheme& scheme, const Certificate& certificate, const Stop& stop);
 /// Table of regions and levels; the mask is the scheme's one for equal intervals.
-Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, const Stop& stop);
+Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, ReportState& state, const Stop& stop);
 
 /// Regions on which the scheme is proved exactly C^k.
 Blocks exact_smoothness(const ReportedScheme& reported);

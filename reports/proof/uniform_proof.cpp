@@ -51,7 +51,7 @@ std::string value_latex(const Rational& norm) {
 }
 
 /// "b(z) = ..", for the order of the claim: the b of the definition times factors sigma/p when that is of a higher order.
-Blocks difference_symbol_text(const Scheme& scheme, const Mask& mask, int smoothness, bool at_point) {
+Blocks difference_symbol_text(const Scheme& scheme, const Mask& mask, int smoothness, bool at_point, ReportState& state) {
   const int order = sum_rule_order(mask), general = sum_rule_order(scheme.mask), p = mask.arity;
   const std::string power = sigma_power(p, smoothness + 1);
   const std::string identity = fmt::format("a(z)={}{}\\,b(z)", power, smoothness == 0 ? "" : "\\," + negative_power(p, smoothness));
@@ -60,8 +60,12 @@ Blocks difference_symbol_text(const Scheme& scheme, const Mask& mask, int smooth
     return {paragraph(fmt::format("The symbol satisfies $a(1)={}$ and ${}$ with the $b$ above.", p, identity))};
   }
   const std::optional<LaurentPolynomial> b = difference_symbol(mask, smoothness + 1);
+  const std::vector<std::string> terms = laurent_terms(*b, scheme.parameter_names());
+  if (!state.shown.insert(fmt::format("b_{} {}", smoothness, joined_sum(terms))).second) {
+    return {paragraph(fmt::format("As above, $a(1)={}$ and ${}$.", p, identity))};
+  }
   Blocks blocks{paragraph(fmt::format("The symbol satisfies $a(1)={}$ and ${}$ with", p, identity))};
-  Display display = broken_sum("b(z)", laurent_terms(*b, scheme.parameter_names()));
+  Display display = broken_sum("b(z)", terms);
   display.lines.back().right += ".";
   blocks.push_back(std::move(display));
   return blocks;
@@ -151,11 +155,11 @@ Blocks word_table(const Scheme& scheme, const std::vector<ProofLeaf>& leaves) {
 
 }  // namespace
 
-Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, const Stop& stop) {
+Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, ReportState& state, const Stop& stop) {
   const Box& whole = leaves.front().region;
   const bool at_point = !whole.empty() && leaves.size() == 1 && is_point(whole);
   const Mask mask = leaves.size() == 1 ? restricted_mask(scheme.mask, whole) : scheme.mask;
-  Blocks blocks = difference_symbol_text(scheme, mask, smoothness, at_point);
+  Blocks blocks = difference_symbol_text(scheme, mask, smoothness, at_point, state);
   const auto* contraction = std::get_if<ContractionWitness>(&leaves.front().witness);
   if (leaves.size() == 1 && contraction) {
     const int level = contraction->level;
@@ -183,11 +187,11 @@ Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leav
   return blocks;
 }
 
-Blocks uniform_proof(const Scheme& scheme, const Certificate& certificate, const Stop& stop) {
+Blocks uniform_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop) {
   const LeafProof& proof = std::get<LeafProof>(certificate.proof);
   const int m = certificate.claim.smoothness;
   if (certificate.theorem == Theorem::u1) {
-    Blocks blocks = contraction_text(scheme, proof.leaves, m, stop);
+    Blocks blocks = contraction_text(scheme, proof.leaves, m, state, stop);
     blocks.push_back(paragraph("The assertion follows by [Theorem U1](#theorem-U1)."));
     return blocks;
   }

@@ -25,18 +25,38 @@ std::vector<Scheme> load_schemes(const std::vector<std::string>& given) {
   return schemes;
 }
 
+namespace {
+
+/// A claim about a space needs a nonstationary scheme, and functions of the type asked for.
+void check_kind(const Scheme& scheme, const Claim& claim) {
+  if (!claim.space) return;
+  if (!scheme.sequence) {
+    throw InputError(fmt::format("--claim {}: {} is not a nonstationary scheme", statement(claim), scheme.name));
+  }
+  for (const ExponentialFunction& f : claim.space->functions) {
+    if (fits(f, claim.type)) continue;
+    throw InputError(fmt::format("--claim {}: {} does not belong to the {} type (see --param type=...)", statement(claim), to_string(f),
+                                 to_string(claim.type)));
+  }
+}
+
+}  // namespace
+
 std::vector<Claim> claims_to_decide(const Scheme& scheme, const std::optional<std::string>& claim_text, const std::vector<std::string>& parameters) {
   if (!claim_text && parameters.empty()) return scheme.claims;
   const Box region = region_from_settings(scheme, parameters);
+  const AngleType type = scheme.sequence ? type_from_settings(scheme, parameters) : AngleType::trigonometric;
   std::vector<Claim> claims;
   if (claim_text) {
     claims.push_back(read_statement(*claim_text));
     claims.back().region = region;
+    claims.back().type = type;
+    check_kind(scheme, claims.back());
     return claims;
   }
   std::set<std::string> stated;
   for (Claim claim : scheme.claims) {
-    if (claim.expected != Outcome::certified || !contains(claim.region, region) || !stated.insert(statement(claim)).second) continue;
+    if (claim.expected != Outcome::certified || !contains(claim.region, region) || claim.type != type || !stated.insert(statement(claim)).second) continue;
     claim.region = region;
     claims.push_back(claim);
   }
@@ -48,6 +68,8 @@ std::vector<Claim> claims_to_decide(const Scheme& scheme, const std::optional<st
 
 std::string certificate_name(const Scheme& scheme, const Claim& claim, std::size_t index, bool asked) {
   std::string text = statement(claim);
+  // "reproduces {1, y^2}" becomes reproduces-1-y2.
+  std::erase_if(text, [](char c) { return std::string_view("{},()^").find(c) != std::string_view::npos; });
   std::replace(text.begin(), text.end(), ' ', '-');
   return fmt::format("{}.{}{}.{}.json", scheme.name, asked ? "asked." : "", index + 1, text);
 }

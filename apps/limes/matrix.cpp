@@ -101,6 +101,7 @@ std::vector<ComplexRoot> eigenvalues_at(const SubdivisionMatrix& matrix, const B
 int run_matrix(const MatrixOptions& options) {
   const Session session(options);
   const Scheme scheme = load_scheme(options.scheme);
+  require_one_mask(scheme, "matrix");
   if (!scheme.insertion_rule) {
     throw InputError(fmt::format("{} is a {} scheme; the subdivision matrix belongs to a non-uniform one", scheme.name,
                                  to_string(scheme.kind)));

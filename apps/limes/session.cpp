@@ -1,6 +1,7 @@
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
+#include "schemes/nonstationary/angle.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -55,6 +56,11 @@ void Progress::clear() {
 bool colour_on_stdout() {
   const char* no_colour = std::getenv("NO_COLOR");
   return isatty(STDOUT_FILENO) && !(no_colour && *no_colour);
+}
+
+void require_one_mask(const Scheme& scheme, const std::string& verb) {
+  if (scheme.surface) throw InputError(fmt::format("{} is a surface scheme: '{}' needs a scheme with one mask", scheme.name, verb));
+  if (scheme.sequence) throw InputError(fmt::format("{} is nonstationary: '{}' needs a scheme with one mask", scheme.name, verb));
 }
 
 void write_file(const std::filesystem::path& file, const std::string& text) {

@@ -33,7 +33,7 @@ class Verification {
         files_.push_back(options.certificates / certificate_name(scheme, claims[k], k, asked));
         table_.fit(0, scheme.name);
         table_.fit(1, statement(claims[k]));
-        table_.fit(2, region_text(scheme, claims[k].region));
+        table_.fit(2, region_text(scheme, claims[k]));
       }
     }
     done_.assign(results_.size(), false);
@@ -94,7 +94,7 @@ class Verification {
       if (options_.quiet && expected) continue;
       progress_.clear();
       const int level = result.verdict.level();
-      std::string row = table_.row({result.scheme->name, statement(result.claim), region_text(*result.scheme, result.claim.region),
+      std::string row = table_.row({result.scheme->name, statement(result.claim), region_text(*result.scheme, result.claim),
                                     to_string(result.verdict.outcome), level ? fmt::format("{}", level) : "-",
                                     result.verdict.certificate ? fmt::format("{}", result.verdict.leaf_count()) : "-",
                                     fmt::format("{:.2f} s", result.seconds)});

@@ -126,6 +126,60 @@ RichText operator+(RichText a, const RichText& b) {
   return a;
 }
 
+double estimated_width(const std::string& latex) {
+  double width = 0;
+  for (std::size_t k = 0; k < latex.size();) {
+    const auto braced = [&](std::size_t from) {
+      std::size_t end = from;
+      for (int depth = 0; end < latex.size(); ++end) {
+        depth += latex[end] == '{' ? 1 : latex[end] == '}' ? -1 : 0;
+        if (depth == 0) break;
+      }
+      return end + 1;
+    };
+    if (latex.compare(k, 6, "\\frac{") == 0) {
+      const std::size_t above = braced(k + 5), below = braced(above);
+      width += std::max(estimated_width(latex.substr(k + 6, above - k - 7)), estimated_width(latex.substr(above + 1, below - above - 2))) + 0.5;
+      k = below;
+    } else if (latex[k] == '^' || latex[k] == '_') {
+      const std::size_t end = k + 1 < latex.size() && latex[k + 1] == '{' ? braced(k + 1) : k + 2;
+      width += 0.75 * estimated_width(latex.substr(k + 1, end - k - 1));
+      k = end;
+    } else if (latex[k] == '\\') {
+      std::size_t end = k + 1;
+      while (end < latex.size() && std::isalpha(static_cast<unsigned char>(latex[end]))) ++end;
+      const std::string command = latex.substr(k + 1, end - k - 1);
+      width += command.empty() ? 0.3 : command == "left" || command == "right" || command == "Bigl" || command == "Bigr" ? 0.3 : 1.2;
+      k = std::max(end, k + 2);
+    } else {
+      const char c = latex[k];
+      width += c == '{' || c == '}' || c == ' ' ? 0 : c == '+' || c == '-' || c == '=' ? 2.2 : 1;
+      ++k;
+    }
+  }
+  return width;
+}
+
+std::vector<std::pair<std::string, std::string>> broken_lines(const Display& display, double width) {
+  double left = 0;
+  for (const Display::Line& line : display.lines) left = std::max(left, estimated_width(line.left));
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const Display::Line& line : display.lines) {
+    lines.emplace_back(line.left, "");
+    double used = left;
+    for (const std::string& piece : line.right) {
+      const double piece_width = estimated_width(piece);
+      if (!lines.back().second.empty() && used + piece_width > width) {
+        lines.emplace_back("", "\\quad{}");
+        used = left + 2;
+      }
+      lines.back().second += piece;
+      used += piece_width;
+    }
+  }
+  return lines;
+}
+
 std::vector<std::string> cited_keys(const Document& document) {
   std::vector<std::string> keys;
   const auto visit = [&](const RichText& text) {

@@ -40,10 +40,11 @@ struct Paragraph {
   RichText text;
 };
 
-/// Displayed mathematics: each line has a left side ("" continues the line before) and a right one.
+/// Displayed mathematics: each line has a left side and a right one, which may be broken before each of its pieces.
 struct Display {
   struct Line {
-    std::string left, right;
+    std::string left;
+    std::vector<std::string> right;
   };
   std::vector<Line> lines;
   bool small = false;
@@ -109,6 +110,11 @@ struct LatexOptions {
   /// Of the title page; nothing when empty.
   std::string date = {};
 };
+
+/// How wide a formula is set, in letters, roughly.
+double estimated_width(const std::string& latex);
+/// The lines of a display, broken so that none is wider than `width` letters: left and right sides, "" on the left of a continued line.
+std::vector<std::pair<std::string, std::string>> broken_lines(const Display& display, double width);
 
 std::string to_latex(const Document& document, const References& references, const LatexOptions& options = {});
 /// GitHub's Markdown, with pictures from figures/.

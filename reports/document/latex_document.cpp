@@ -84,6 +84,16 @@ constexpr const char* fragment_start = R"(% A proof by Limes, to be \input into 
 \providecommand{\toprule}{\hline}\providecommand{\midrule}{\hline}\providecommand{\bottomrule}{\hline}
 )";
 
+/// Commands of amsmath, amssymb and the T1 encoding in terms of LaTeX's own.
+std::string without_packages(std::string text) {
+  static const std::pair<std::string_view, std::string_view> substitutes[] = {
+      {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\tfrac", "\\frac"}, {"\\textquotedbl{}", "\\symbol{34}"}, {"\u0119", "\\c{e}"}, {"\u2026", "\\dots{}"}};
+  for (const auto& [command, substitute] : substitutes) {
+    for (std::size_t at = 0; (at = text.find(command, at)) != std::string::npos; at += substitute.size()) text.replace(at, command.size(), substitute);
+  }
+  return text;
+}
+
 class LatexWriter {
  public:
   LatexWriter(const Document& document, const References& references, const LatexOptions& options)
@@ -93,10 +103,9 @@ class LatexWriter {
 
   std::string write() {
     if (options_.fragment) {
-      text_ = fragment_start;
       blocks(document_.blocks);
       bibliography();
-      return text_ + "\\endgroup\n";
+      return fragment_start + without_packages(std::move(text_)) + "\\endgroup\n";
     }
     text_ = preamble;
     text_ += fmt::format("\\hypersetup{{pdftitle={{{}}}}}\n", escaped(document_.title));
@@ -174,25 +183,23 @@ class LatexWriter {
   void write_block(const Paragraph& paragraph) { text_ += inline_text(paragraph.text) + "\n\n"; }
 
   void write_block(const Display& display) {
-    // amsmath's environments, or an array where there is no amsmath.
-    const bool aligned = display.lines.size() > 1 || !display.lines.front().left.empty();
-    while (!text_.empty() && text_.ends_with("\n\n")) text_.pop_back();
-    if (options_.fragment) {
-      text_ += "\\[\n\\begin{array}{@{}r@{\\;}l@{}}\n";
-      for (std::size_t k = 0; k < display.lines.size(); ++k) {
-        text_ += fmt::format("\\displaystyle {}&\\displaystyle {}{}\n", display.lines[k].left, display.lines[k].right,
-                             k + 1 < display.lines.size() ? "\\\\[4pt]" : "");
-      }
-      text_ += "\\end{array}\n\\]\n";
-      return;
-    }
+    while (text_.ends_with("\n\n")) text_.pop_back();
+    const auto lines = broken_lines(display, (options_.fragment ? 58 : 78) * (display.small ? 1.2 : 1));
+    const bool aligned = lines.size() > 1 || !lines.front().first.empty();
     if (display.small) text_ += "{\\footnotesize";
-    text_ += aligned ? "\\begin{align*}\n" : "\\[\n";
-    for (std::size_t k = 0; k < display.lines.size(); ++k) {
-      const Display::Line& line = display.lines[k];
-      text_ += fmt::format("{}{}{}{}\n", line.left, aligned ? "&" : "", line.right, k + 1 < display.lines.size() ? "\\\\" : "");
+    // amsmath's environments; in a fragment arrays, one a page at most.
+    constexpr std::size_t per_page = 30;
+    for (std::size_t begin = 0; begin < lines.size(); begin += options_.fragment ? per_page : lines.size()) {
+      const std::size_t end = options_.fragment ? std::min(begin + per_page, lines.size()) : lines.size();
+      text_ += options_.fragment ? "\\[\n\\begin{array}{@{}r@{\\;}l@{}}\n" : aligned ? "\\begin{align*}\n" : "\\[\n";
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto& [left, right] = lines[k];
+        if (options_.fragment) text_ += fmt::format("\\displaystyle {}&\\displaystyle {}{}\n", left, right, k + 1 < end ? "\\\\[3pt]" : "");
+        else text_ += fmt::format("{}{}{}{}\n", left, aligned ? "&" : "", right, k + 1 < end ? "\\\\" : "");
+      }
+      text_ += options_.fragment ? "\\end{array}\n\\]" : aligned ? "\\end{align*}" : "\\]";
+      if (end < lines.size()) text_ += "\n";
     }
-    text_ += aligned ? "\\end{align*}" : "\\]";
     text_ += display.small ? "}\n\n" : "\n";
   }
 
@@ -261,7 +268,7 @@ class LatexWriter {
       blocks(statement.body);
       while (text_.ends_with("\n")) text_.pop_back();
       if (italic) text_ += "\\endgroup";
-      if (statement.kind == Statement::Kind::proof) text_ += "\\hfill$\\Box$";
+      if (statement.kind == Statement::Kind::proof) text_ += "\\hfill\\rule{1ex}{1ex}";
       text_ += "\\par\\medskip\n\n";
       return;
     }

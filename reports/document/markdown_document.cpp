@@ -74,8 +74,9 @@ class MarkdownWriter {
   void write_block(const Paragraph& paragraph) { text_ += inline_text(paragraph.text) + "\n\n"; }
   void write_block(const Display& display) {
     text_ += "```math\n\\begin{aligned}\n";
-    for (std::size_t k = 0; k < display.lines.size(); ++k) {
-      text_ += fmt::format("{} & {}{}\n", display.lines[k].left, display.lines[k].right, k + 1 < display.lines.size() ? "\\\\" : "");
+    const auto lines = broken_lines(display, 90);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      text_ += fmt::format("{} & {}{}\n", lines[k].first, lines[k].second, k + 1 < lines.size() ? "\\\\" : "");
     }
     text_ += "\\end{aligned}\n```\n\n";
   }

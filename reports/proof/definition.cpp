@@ -32,7 +32,7 @@ Display refinement_rules(const Mask& mask, const VariableNames& names) {
     }
     if (sum.empty()) sum.emplace_back("+0");
     const std::string left = p == 2 && residue == 0 ? "q_{2i}" : residue == 0 ? fmt::format("q_{{{}i}}", p) : fmt::format("q_{{{}i+{}}}", p, residue);
-    for (Display::Line& line : broken_sum(left, sum).lines) display.lines.push_back(std::move(line));
+    display.lines.push_back(sum_line(left, sum));
   }
   return display;
 }
@@ -68,9 +68,8 @@ Blocks uniform_definition(const Scheme& scheme, const std::string& words, bool w
   const std::string factor = k == 0 ? fmt::format("{}\\,b(z)", mask.arity)
                                     : fmt::format("{}\\,{}b(z)", sigma_power(mask.arity, k), k == 1 ? "" : negative_power(mask.arity, k - 1) + "\\,");
   blocks.push_back(paragraph(fmt::format("Its symbol $a(z)=\\sum_i a_i z^i$ satisfies the sum rules of order ${}$,", k)));
-  Display display{{{"a(z)", "=" + factor + ","}}};
-  for (Display::Line& line : broken_sum("b(z)", laurent_terms(b, names)).lines) display.lines.push_back(std::move(line));
-  display.lines.back().right += ".";
+  Display display{{{"a(z)", {"=" + factor + ","}}, sum_line("b(z)", laurent_terms(b, names))}};
+  close(display, ".");
   blocks.push_back(std::move(display));
   blocks.push_back(paragraph(polynomials_text(mask, names) + stability_text(mask)));
   return blocks;
@@ -88,7 +87,7 @@ Blocks coefficients_in_ratios(const Scheme& scheme) {
   for (int j = 0; j < points / 2; ++j) {
     const std::string text = to_latex(stencil[static_cast<std::size_t>(j)], names);
     if (estimated_width(text) > 70) return {};
-    display.lines.push_back({fmt::format("e_{{{}}}", j + 1), "=" + text + (j + 1 < points / 2 ? "," : ".")});
+    display.lines.push_back({fmt::format("e_{{{}}}", j + 1), {"=" + text + (j + 1 < points / 2 ? "," : ".")}});
   }
   return {paragraph(fmt::format("With the ratios $\\beta_k=(t_{{s+1}}-t_s)/(t_s-t_{{s-1}})$, $s=i{:+d}+k$, the new point is $\\sum_j e_j\\,p_{{i-{}+j}}$ with, up to symmetry,",
                                 1 - points / 2, points / 2)),

@@ -86,65 +86,20 @@ std::vector<std::string> lambda_terms(const LambdaPolynomial& p, const VariableN
   return power_sum_terms(coefficients, "\\lambda", names);
 }
 
-double estimated_width(const std::string& latex) {
-  double width = 0;
-  for (std::size_t k = 0; k < latex.size();) {
-    const auto braced = [&](std::size_t from) {
-      std::size_t end = from;
-      for (int depth = 0; end < latex.size(); ++end) {
-        depth += latex[end] == '{' ? 1 : latex[end] == '}' ? -1 : 0;
-        if (depth == 0) break;
-      }
-      return end + 1;
-    };
-    if (latex.compare(k, 6, "\\frac{") == 0) {
-      const std::size_t above = braced(k + 5), below = braced(above);
-      width += std::max(estimated_width(latex.substr(k + 6, above - k - 7)), estimated_width(latex.substr(above + 1, below - above - 2))) + 0.5;
-      k = below;
-    } else if (latex[k] == '^' || latex[k] == '_') {
-      const std::size_t end = k + 1 < latex.size() && latex[k + 1] == '{' ? braced(k + 1) : k + 2;
-      width += 0.75 * estimated_width(latex.substr(k + 1, end - k - 1));
-      k = end;
-    } else if (latex[k] == '\\') {
-      std::size_t end = k + 1;
-      while (end < latex.size() && std::isalpha(static_cast<unsigned char>(latex[end]))) ++end;
-      const std::string command = latex.substr(k + 1, end - k - 1);
-      width += command.empty() ? 0.3 : command == "left" || command == "right" || command == "Bigl" || command == "Bigr" ? 0.3 : 1.2;
-      k = std::max(end, k + 2);
-    } else {
-      const char c = latex[k];
-      width += c == '{' || c == '}' || c == ' ' ? 0 : c == '+' || c == '-' || c == '=' ? 2.2 : 1;
-      ++k;
-    }
-  }
-  return width;
-}
-
 std::string joined_sum(const std::vector<std::string>& terms) {
   std::string text;
   for (const std::string& term : terms) text += term;
   return text.starts_with('+') ? text.substr(1) : text;
 }
 
-Display broken_sum(const std::string& left, const std::vector<std::string>& terms, double width) {
-  Display display;
-  std::string line;
-  // Continuation lines are a quad further right.
-  double used = estimated_width(left) + 3;
-  const double indent = left.empty() ? 0 : estimated_width(left) + 5;
-  for (const std::string& term : terms) {
-    const double term_width = estimated_width(term);
-    if (!line.empty() && used + term_width > width) {
-      display.lines.push_back({display.lines.empty() ? left : "", (display.lines.empty() ? "=" : "\\quad{}") + line});
-      line.clear();
-      used = indent;
-    }
-    line += line.empty() && display.lines.empty() && term.starts_with('+') ? term.substr(1) : term;
-    used += term_width;
-  }
-  display.lines.push_back({display.lines.empty() ? left : "", (display.lines.empty() ? "=" : "\\quad{}") + line});
-  return display;
+Display::Line sum_line(const std::string& left, const std::vector<std::string>& terms) {
+  Display::Line line{left, terms};
+  std::string& first = line.right.front();
+  first = "=" + (first.starts_with('+') ? first.substr(1) : first);
+  return line;
 }
+
+void close(Display& display, const std::string& mark) { display.lines.back().right.back() += mark; }
 
 std::string sigma_power(int arity, int exponent) {
   const std::string sigma = arity == 2 ? "1+z" : arity == 3 ? "1+z+z^{2}" : fmt::format("1+z+\\dots+z^{{{}}}", arity - 1);

@@ -25,10 +25,10 @@ std::vector<std::string> power_sum_terms(const std::vector<std::pair<int, Ration
 std::vector<std::string> laurent_terms(const LaurentPolynomial& symbol, const VariableNames& names);
 std::vector<std::string> lambda_terms(const LambdaPolynomial& p, const VariableNames& names);
 
-/// How wide a formula is set, in letters, roughly.
-double estimated_width(const std::string& latex);
-/// The sum of the terms, broken into lines of at most `width` letters.
-Display broken_sum(const std::string& left, const std::vector<std::string>& terms, double width = 78);
+/// left = the sum of the terms.
+Display::Line sum_line(const std::string& left, const std::vector<std::string>& terms);
+/// A mark at the end of the last line.
+void close(Display& display, const std::string& mark);
 std::string joined_sum(const std::vector<std::string>& terms);
 
 /// (1+z)^k, (1+z+z^2)^k, .., with the exponent left out when it is 1.

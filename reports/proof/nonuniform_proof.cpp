@@ -14,7 +14,7 @@ namespace limes::report_impl {
 namespace {
 
 /// Letters of a factor that is displayed where it is used; longer ones go to the appendix, very long ones stay in the certificate.
-constexpr double longest_display = 420, longest_appendix = 9000;
+constexpr double longest_display = 400, longest_appendix = 9000;
 
 VariableNames with_ratio(const Scheme& scheme) {
   VariableNames names = scheme.parameter_names();
@@ -49,7 +49,7 @@ Display coefficient_display(const LambdaPolynomial& p, const VariableNames& name
       terms.push_back(latex.starts_with('-') ? latex : "+" + latex);
     }
     if (terms.empty()) terms.emplace_back("+0");
-    for (Display::Line& line : broken_sum(fmt::format("d_{{{}}}", s), terms, 92).lines) display.lines.push_back(std::move(line));
+    display.lines.push_back(sum_line(fmt::format("d_{{{}}}", s), terms));
   }
   return display;
 }
@@ -118,17 +118,17 @@ Blocks characteristic_text(const Scheme& scheme, const Claim& claim, const std::
   const int m = claim.smoothness;
   const VariableNames names = with_ratio(scheme);
   blocks.push_back(paragraph("Its characteristic polynomial is, up to a factor without $\\lambda$,"));
-  Display chi{{{"\\chi(\\lambda)", "=" + polynomial_eigenvalues(m) + "\\;\\ell(\\lambda)\\,r(\\lambda),"},
-               {"\\ell(\\lambda)", "=" + product_latex(ell, names) + ","}}};
+  Display chi{{{"\\chi(\\lambda)", {"=" + polynomial_eigenvalues(m) + "\\;\\ell(\\lambda)\\,r(\\lambda),"}},
+               {"\\ell(\\lambda)", {"=" + product_latex(ell, names) + ","}}}};
   if (rest.empty()) {
-    chi.lines.push_back({"r(\\lambda)", "=1."});
+    chi.lines.push_back({"r(\\lambda)", {"=1."}});
   } else {
     std::string product;
     for (std::size_t k = 0; k < rest.size(); ++k) {
       product += fmt::format("{}{}", rest.size() == 1 ? "r_1(\\lambda)" : fmt::format("r_{}(\\lambda)", k + 1),
                              rest[k].multiplicity > 1 ? fmt::format("^{{{}}}", rest[k].multiplicity) : "");
     }
-    chi.lines.push_back({"r(\\lambda)", "=" + product + ","});
+    chi.lines.push_back({"r(\\lambda)", {"=" + product + ","}});
   }
   std::string later;
   for (std::size_t k = 0; k < rest.size(); ++k) {
@@ -136,8 +136,8 @@ Blocks characteristic_text(const Scheme& scheme, const Claim& claim, const std::
     const double width = width_of(terms);
     const std::string name = fmt::format("r_{}", k + 1);
     if (width <= longest_display) {
-      for (Display::Line& line : broken_sum(name + "(\\lambda)", terms, 76).lines) chi.lines.push_back(std::move(line));
-      chi.lines.back().right += ",";
+      chi.lines.push_back(sum_line(name + "(\\lambda)", terms));
+      close(chi, ",");
       continue;
     }
     later += fmt::format(" The factor ${}$ has {}", name, degrees_text(rest[k].polynomial, names));
@@ -150,7 +150,7 @@ Blocks characteristic_text(const Scheme& scheme, const Claim& claim, const std::
       later += "; its coefficients fill pages and are in the certificate.";
     }
   }
-  chi.lines.back().right.back() = '.';
+  chi.lines.back().right.back().back() = '.';
   blocks.push_back(std::move(chi));
   if (!later.empty()) blocks.push_back(paragraph(later.substr(1)));
   return blocks;

@@ -14,7 +14,7 @@ Blocks conventions(bool knots) {
       "The mask $a$ of a scheme of arity $p$ defines $(S_af)_i=\\sum_j a_{i-pj}f_j$; its symbol is $a(z)=\\sum_i a_iz^i$, and "
       "$\\sigma(z)=1+z+\\dots+z^{p-1}$. The scheme is $C^m$ if for all bounded data it converges uniformly to an $m$ times continuously "
       "differentiable function of the parameter $p^{-k}i$. The norm of $l$ steps is"));
-  blocks.push_back(Display{{{"", "\\lVert S_b^l\\rVert_\\infty=\\max_{0\\le i<p^l}\\sum_j\\bigl|b^{[l]}_{i-p^lj}\\bigr|,\\qquad b^{[l]}(z)=b(z)\\,b(z^p)\\cdots b(z^{p^{l-1}})."}}});
+  blocks.push_back(Display{{{"", {"\\lVert S_b^l\\rVert_\\infty=\\max_{0\\le i<p^l}\\sum_j\\bigl|b^{[l]}_{i-p^lj}\\bigr|,\\qquad b^{[l]}(z)=b(z)\\,b(z^p)\\cdots b(z^{p^{l-1}})."}}}});
   blocks.push_back(paragraph(
       "On a region of parameters a statement holds at every real parameter value. There, norms and signs are bounded by Bernstein coefficients on boxes that "
       "cover the region; all computations are exact. Every proof is written down as a certificate, which an independent program (`limes-check`) "

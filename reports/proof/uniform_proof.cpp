@@ -65,8 +65,8 @@ Blocks difference_symbol_text(const Scheme& scheme, const Mask& mask, int smooth
     return {paragraph(fmt::format("As above, $a(1)={}$ and ${}$.", p, identity))};
   }
   Blocks blocks{paragraph(fmt::format("The symbol satisfies $a(1)={}$ and ${}$ with", p, identity))};
-  Display display = broken_sum("b(z)", terms);
-  display.lines.back().right += ".";
+  Display display{{sum_line("b(z)", terms)}};
+  close(display, ".");
   blocks.push_back(std::move(display));
   return blocks;
 }

@@ -1,4 +1,4 @@
-#include "schemes/uniform/interpolant_rule.hpp"
+#include "schemes/nonuniform/insertion_rule.hpp"
 
 #include "algebra/error.hpp"
 
@@ -7,7 +7,7 @@
 namespace limes {
 namespace {
 
-Mask rule(const std::string& text, const VariableNames& names = {}) { return mask_from_rule(read_expression(text), names); }
+Mask rule(const std::string& text, const VariableNames& names = {}) { return uniform_mask(InsertionRule(read_expression(text), names)); }
 
 std::string failure(const std::string& text) {
   try {
@@ -18,14 +18,14 @@ std::string failure(const std::string& text) {
   return "accepted";
 }
 
-TEST(InterpolantRule, CubicInterpolantIsTheFourPointScheme) {
+TEST(UniformMask, CubicInterpolantIsTheFourPointScheme) {
   const std::vector<Rational> expected{Rational(-1) / 16, 0, Rational(9) / 16, 1, Rational(9) / 16, 0, Rational(-1) / 16};
   const Mask mask = rule("at(f(3,0),1/2)");
   EXPECT_EQ(mask.symbol.lowest(), -3);
   EXPECT_EQ(mask.symbol.rational_coefficients(), expected);
 }
 
-TEST(InterpolantRule, QuadraticInterpolantIsOneSided) {
+TEST(UniformMask, QuadraticInterpolantIsOneSided) {
   // f(2,0) interpolates p_{i-1}, p_i, p_{i+1}; at i + 1/2: (-p_{i-1} + 6 p_i + 3 p_{i+1}) / 8.
   const Mask mask = rule("at(f(2,0),1/2)");
   EXPECT_EQ(mask.symbol.coefficient(3), RationalFunction::constant(0, Rational(-1) / 8));
@@ -34,7 +34,7 @@ TEST(InterpolantRule, QuadraticInterpolantIsOneSided) {
 }
 
 // Karciauskas & Peters 2013, eq. (18) with equal knots: the 4-point scheme with parameter w.
-TEST(InterpolantRule, WeightsMayDependOnParameters) {
+TEST(UniformMask, WeightsMayDependOnParameters) {
   const Mask mask = rule("16*w*at(f(3,0),1/2) + (1-16*w)*at(f(1,0),1/2)", {"w"});
   const RationalFunction w = RationalFunction::variable(1, 0);
   EXPECT_EQ(mask.symbol.coefficient(3), -w);
@@ -43,14 +43,14 @@ TEST(InterpolantRule, WeightsMayDependOnParameters) {
 }
 
 // Karciauskas & Peters 2013, eq. (21) with equal knots is Weissman's scheme.
-TEST(InterpolantRule, ShiftedInterpolantsAverageToWeissman) {
+TEST(UniformMask, ShiftedInterpolantsAverageToWeissman) {
   const Mask mask = rule("(8/5-256/5*w)*at(f(5,0),1/2) + (1-8/5+256/5*w)/2*(at(f(3,-1),1/2)+at(f(3,1),1/2))", {"w"});
   const RationalFunction w = RationalFunction::variable(1, 0);
   EXPECT_EQ(mask.symbol.coefficient(5), w);
   EXPECT_EQ(mask.symbol.coefficient(3), RationalFunction::constant(1, -3) * w - RationalFunction::constant(1, Rational(1) / 16));
 }
 
-TEST(InterpolantRule, ErrorsNameTheReasonAndTheColumn) {
+TEST(UniformMask, ErrorsNameTheReasonAndTheColumn) {
   EXPECT_NE(failure("at(g(3,0),1/2)").find("unknown function 'g'"), std::string::npos);
   EXPECT_NE(failure("f(3,0)").find("combination of sampled interpolants"), std::string::npos);
   EXPECT_NE(failure("f(3,0) + 1").find("sample it"), std::string::npos);
@@ -65,7 +65,7 @@ TEST(InterpolantRule, ErrorsNameTheReasonAndTheColumn) {
 }
 
 // Each factor is harmless, and so is each weight at first.
-TEST(InterpolantRule, ChainsThatWouldExplodeAreRefused) {
+TEST(UniformMask, ChainsThatWouldExplodeAreRefused) {
   const auto chain = [](const std::string& link, int times) {
     std::string text = "at(f(1,0),1/2)";
     for (int k = 0; k < times; ++k) text += link;

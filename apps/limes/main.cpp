@@ -203,6 +203,19 @@ int run(int argc, char** argv) {
   reconstruct_verb->add_option("--compare", reconstruct.compare, "Print how far the result is from this file")->type_name("FILE");
   add_common(*reconstruct_verb, reconstruct);
 
+  ReportOptions report;
+  CLI::App* report_verb = app.add_subcommand("report", "Write the proofs of schemes (default: of the whole catalogue) as LaTeX and PDF, or Markdown");
+  report_verb->add_option("scheme", report.schemes, "Catalogue names or scheme files")->type_name("SCHEME");
+  report_verb->add_option("-o,--output", report.output, "Directory of the report; with --fragment a .tex file")->required()->type_name("DIR|FILE");
+  report_verb->add_option("--claim", report.claim, "Decide this claim instead of the file's own, e.g. C2 or \"not C3\"");
+  report_verb->add_option("--param", report.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]")
+      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  report_verb->add_flag("--fragment", report.fragment, "One file to \\input into an article, without preamble, packages and pictures");
+  report_verb->add_flag("--no-pdf", report.no_pdf, "Do not run LaTeX");
+  report_verb->add_option("--format", report.format, "latex or markdown")->check(CLI::IsMember({"latex", "markdown"}))->type_name("FORMAT")->capture_default_str();
+  report_verb->add_option("--engine", report.engine, "pdflatex or lualatex")->check(CLI::IsMember({"pdflatex", "lualatex"}))->type_name("ENGINE")->capture_default_str();
+  add_common(*report_verb, report);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -224,6 +237,7 @@ int run(int argc, char** argv) {
   if (filters_verb->parsed()) return run_multiresolution(filters);
   if (decompose_verb->parsed()) return run_decompose(decompose);
   if (reconstruct_verb->parsed()) return run_reconstruct(reconstruct);
+  if (report_verb->parsed()) return run_report(report);
   return run_norm(norm);
 }
 

@@ -149,6 +149,17 @@ struct ReconstructOptions : GridOptions {
   std::filesystem::path compare;
 };
 
+struct ReportOptions : CommonOptions {
+  std::vector<std::string> schemes;
+  std::optional<std::string> claim;
+  std::vector<std::string> parameters;
+  std::filesystem::path output;
+  bool fragment = false;
+  bool no_pdf = false;
+  std::string format = "latex";   // "latex", "markdown"
+  std::string engine = "pdflatex";  // "pdflatex", "lualatex"
+};
+
 int run_list(const ListOptions& options);
 int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
@@ -164,5 +175,6 @@ int run_tables(const TablesOptions& options);
 int run_multiresolution(const FilterOptions& options);
 int run_decompose(const DecomposeOptions& options);
 int run_reconstruct(const ReconstructOptions& options);
+int run_report(const ReportOptions& options);
 
 }  // namespace limes::app

@@ -99,6 +99,8 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"U2", check_smoothness},
     {"N1", check_smoothness},
     {"N3", check_smoothness},
+    {"JSR", check_joint_spectral_radius},
+    {"U3", check_hoelder_exponent},
 };
 
 std::string prove(std::string_view text) {

@@ -14,4 +14,10 @@ using TheoremChecker = std::string (*)(const nlohmann::json& certificate, Budget
 /// U1, U2, N1 and N3, whose certificates have one form: scheme, claim, verdict, theorem, proof.
 std::string check_smoothness(const nlohmann::json& certificate, Budget& budget);
 
+/// JSR: bounds of, or the exact, joint spectral radius of a family of rational matrices.
+std::string check_joint_spectral_radius(const nlohmann::json& certificate, Budget& budget);
+
+/// U3: bounds of the Hoelder exponent of a uniform scheme at one parameter value.
+std::string check_hoelder_exponent(const nlohmann::json& certificate, Budget& budget);
+
 }  // namespace limes::checker

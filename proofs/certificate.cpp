@@ -1,6 +1,7 @@
 #include "proofs/certificate.hpp"
 
 #include "algebra/error.hpp"
+#include "proofs/mask_json_impl.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -44,8 +45,9 @@ std::string to_text(Stability stability) {
   return stability == Stability::interpolatory ? "interpolatory" : "linear-independence";
 }
 
+}  // namespace
+
 Json mask_to_json(const Mask& mask, const VariableNames& names) {
-  // All entries over the one denominator that the proof used, so that the checker forms the same one.
   const MultivariatePolynomial denominator = common_denominator(mask.symbol);
   Json entries = Json::array();
   for (const MultivariatePolynomial& numerator : numerators_over(mask.symbol, denominator)) {
@@ -55,6 +57,8 @@ Json mask_to_json(const Mask& mask, const VariableNames& names) {
   }
   return entries;
 }
+
+namespace {
 
 Json rule_to_json(const InsertionRuleText& rule) {
   Json json = Json::object();

@@ -2,6 +2,7 @@
 
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
+#include "analysis/uniform/hoelder_exponent.hpp"
 #include "proofs/verdict.hpp"
 #include "schemes/scheme.hpp"
 
@@ -35,6 +36,18 @@ struct MatrixReport {
   SplitCharacteristicPolynomial split;
 };
 
+struct RadiusReport {
+  SpectralRadiusBounds bounds;
+  std::string certificate;
+};
+
+struct HolderReport {
+  HoelderExponent exponent;
+  int arity = 2;
+  /// Path of the certificate, empty without one.
+  std::string certificate;
+};
+
 struct OutputFile {
   std::string file;
   std::string kind;
@@ -46,6 +59,11 @@ std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
 std::string matrix_json(const MatrixReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
+/// "3/2", or "the root 1.61803.. of x^2 - x - 1".
+std::string describe(const AlgebraicNumber& x);
+/// \param digits significant digits of the decimals
+std::string jsr_json(const RadiusReport& report, int digits);
+std::string holder_json(const HolderReport& report, int digits);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

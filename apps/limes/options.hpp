@@ -50,6 +50,19 @@ struct MatrixOptions : CommonOptions {
   bool latex = false;
 };
 
+struct HolderOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> parameters;
+  int digits = 6;
+  std::filesystem::path certificates = "certificates";
+};
+
+struct JsrOptions : CommonOptions {
+  std::filesystem::path file;
+  int digits = 6;
+  std::filesystem::path certificates = "certificates";
+};
+
 struct RefineOptions : CommonOptions {
   std::string scheme;
   std::filesystem::path data;
@@ -68,6 +81,8 @@ int run_verify(const VerifyOptions& options);
 int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
 int run_matrix(const MatrixOptions& options);
+int run_holder(const HolderOptions& options);
+int run_jsr(const JsrOptions& options);
 int run_refine(const RefineOptions& options);
 
 }  // namespace limes::app

@@ -90,6 +90,13 @@ std::string region_text(const Scheme& scheme, const Box& region) {
   return text.empty() ? "-" : text;
 }
 
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory))
+    throw InputError(fmt::format("cannot make the directory '{}' for certificates", directory.string()));
+}
+
 void write_file(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path temporary = file.string() + ".part";
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);

@@ -48,6 +48,9 @@ Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& s
 /// "w in [0, 1/4], mu = 1/9", "-" without parameters.
 std::string region_text(const Scheme& scheme, const Box& region);
 
+/// Makes a directory for certificates, if there is none. \throws InputError
+void make_directory(const std::filesystem::path& directory);
+
 /// Writes a file as a whole or not at all (a temporary file, then renamed). \throws InputError
 void write_file(const std::filesystem::path& file, const std::string& text);
 

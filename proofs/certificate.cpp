@@ -2,6 +2,7 @@
 
 #include "algebra/error.hpp"
 #include "proofs/certificate_text_impl.hpp"
+#include "proofs/mask_json_impl.hpp"
 #include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
 
@@ -64,8 +65,9 @@ std::string to_text(Stability stability) {
   return stability == Stability::interpolatory ? "interpolatory" : "linear-independence";
 }
 
+}  // namespace
+
 Json mask_to_json(const Mask& mask, const VariableNames& names) {
-  // All entries over the one denominator that the proof used, so that the checker forms the same one.
   const MultivariatePolynomial denominator = common_denominator(mask.symbol);
   Json entries = Json::array();
   for (const MultivariatePolynomial& numerator : numerators_over(mask.symbol, denominator)) {
@@ -75,6 +77,8 @@ Json mask_to_json(const Mask& mask, const VariableNames& names) {
   }
   return entries;
 }
+
+namespace {
 
 Json rule_to_json(const InsertionRuleText& rule) {
   Json json = Json::object();

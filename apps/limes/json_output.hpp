@@ -5,6 +5,7 @@
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/map/map_unions.hpp"
+#include "analysis/uniform/hoelder_exponent.hpp"
 #include "proofs/verdict.hpp"
 #include "reports/tables/compare_table.hpp"
 #include "reports/unity/smoothness_cost.hpp"
@@ -79,6 +80,18 @@ struct DeriveReport {
   std::vector<SmoothnessCost> costs = {};
 };
 
+struct RadiusReport {
+  SpectralRadiusBounds bounds;
+  std::string certificate;
+};
+
+struct HolderReport {
+  HoelderExponent exponent;
+  int arity = 2;
+  /// Path of the certificate, empty without one.
+  std::string certificate;
+};
+
 struct OutputFile {
   std::string file;
   std::string kind;
@@ -94,6 +107,11 @@ std::string dominance_json(const std::vector<DominanceReport>& reports);
 std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
 std::string tables_json(const std::vector<ComparedTable>& tables);
+/// "3/2", or "the root 1.61803.. of x^2 - x - 1".
+std::string describe(const AlgebraicNumber& x);
+/// \param digits significant digits of the decimals
+std::string jsr_json(const RadiusReport& report, int digits);
+std::string holder_json(const HolderReport& report, int digits);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

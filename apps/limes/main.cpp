@@ -135,6 +135,20 @@ int run(int argc, char** argv) {
   derive_verb->add_option("-o,--output", derive.output, "Scheme file to write, with what is proved as its claims")->type_name("OUT.toml");
   derive_verb->add_option("--name", derive.name, "Name of the scheme written (default: that of the file)")->type_name("NAME");
   add_common(*derive_verb, derive);
+  HolderOptions holder;
+  CLI::App* holder_verb = app.add_subcommand("holder", "Certified enclosure of the Hoelder exponent");
+  holder_verb->add_option("scheme", holder.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  holder_verb->add_option("--param", holder.parameters, "Parameter value: w=1/16")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  holder_verb->add_option("--digits", holder.digits, "Width of the enclosure: 10^-D")->check(CLI::Range(1, 30))->type_name("D")->capture_default_str();
+  holder_verb->add_option("--certificates", holder.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
+  add_common(*holder_verb, holder);
+
+  JsrOptions jsr;
+  CLI::App* jsr_verb = app.add_subcommand("jsr", "Joint spectral radius of rational matrices: bounds with a certificate");
+  jsr_verb->add_option("file", jsr.file, "Matrices: JSON, or CSV with a blank line between them")->required()->type_name("FILE");
+  jsr_verb->add_option("--digits", jsr.digits, "Relative width of the bounds: 10^-D")->check(CLI::Range(1, 30))->type_name("D")->capture_default_str();
+  jsr_verb->add_option("--certificates", jsr.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
+  add_common(*jsr_verb, jsr);
 
   RefineOptions refine;
   CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
@@ -232,6 +246,8 @@ int run(int argc, char** argv) {
   if (dominance_verb->parsed()) return run_dominance(dominance);
   if (search_verb->parsed()) return run_search(search);
   if (derive_verb->parsed()) return run_derive(derive);
+  if (holder_verb->parsed()) return run_holder(holder);
+  if (jsr_verb->parsed()) return run_jsr(jsr);
   if (refine_verb->parsed()) return run_refine(refine);
   if (tables_verb->parsed()) return run_tables(tables);
   if (filters_verb->parsed()) return run_multiresolution(filters);

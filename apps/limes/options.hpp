@@ -94,6 +94,19 @@ struct DeriveOptions : CommonOptions {
   std::string name;
 };
 
+struct HolderOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> parameters;
+  int digits = 6;
+  std::filesystem::path certificates = "certificates";
+};
+
+struct JsrOptions : CommonOptions {
+  std::filesystem::path file;
+  int digits = 6;
+  std::filesystem::path certificates = "certificates";
+};
+
 struct RefineOptions : CommonOptions {
   std::string scheme;
   std::filesystem::path data;
@@ -170,6 +183,8 @@ int run_matrix(const MatrixOptions& options);
 int run_dominance(const DominanceOptions& options);
 int run_search(const SearchOptions& options);
 int run_derive(const DeriveOptions& options);
+int run_holder(const HolderOptions& options);
+int run_jsr(const JsrOptions& options);
 int run_refine(const RefineOptions& options);
 int run_tables(const TablesOptions& options);
 int run_multiresolution(const FilterOptions& options);

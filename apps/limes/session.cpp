@@ -58,6 +58,13 @@ bool colour_on_stdout() {
   return isatty(STDOUT_FILENO) && !(no_colour && *no_colour);
 }
 
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory))
+    throw InputError(fmt::format("cannot make the directory '{}' for certificates", directory.string()));
+}
+
 void write_file(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path temporary = file.string() + ".part";
   std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);

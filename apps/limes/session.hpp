@@ -40,6 +40,9 @@ class Progress {
 /// Whether standard output takes colour: a terminal, and NO_COLOR is not set.
 bool colour_on_stdout();
 
+/// Makes a directory for certificates, if there is none. \throws InputError
+void make_directory(const std::filesystem::path& directory);
+
 /// Writes a file as a whole or not at all (a temporary file, then renamed). \throws InputError
 void write_file(const std::filesystem::path& file, const std::string& text);
 

@@ -107,6 +107,8 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"P1", check_p1},
     {"P2", check_p2},
     {"B1", check_biorthogonality},
+    {"JSR", check_joint_spectral_radius},
+    {"U3", check_hoelder_exponent},
 };
 
 std::string prove(std::string_view text) {

@@ -26,4 +26,10 @@ std::string check_s1(const nlohmann::json& certificate, Budget& budget);
 /// S2: functions that every step of a nonstationary scheme reproduces or generates, and those it does not.
 std::string check_s2(const nlohmann::json& certificate, Budget& budget);
 
+/// JSR: bounds of, or the exact, joint spectral radius of a family of rational matrices.
+std::string check_joint_spectral_radius(const nlohmann::json& certificate, Budget& budget);
+
+/// U3: bounds of the Hoelder exponent of a uniform scheme at one parameter value.
+std::string check_hoelder_exponent(const nlohmann::json& certificate, Budget& budget);
+
 }  // namespace limes::checker

@@ -215,10 +215,13 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
   constexpr std::size_t max_variables = 16;
   if (!scheme.insertion_rule) return std::nullopt;
   const int points = scheme.insertion_rule->points();
-  if (points > max_points) return fmt::format("certificates are about rules of at most {} points; this one has {}", max_points, points);
+  if (points > max_points) {
+    return fmt::format("certificates are about rules of at most {} points; this one has {}", max_points, points);
+  }
   const std::size_t variables = scheme.parameters.size() + static_cast<std::size_t>(points) - 2;
   if (!scheme.insertion_rule->text().coefficients.empty() && variables > max_variables) {
-    return fmt::format("certificates are about coefficients in at most {} parameters and ratios; here are {}", max_variables, variables);
+    return fmt::format("certificates are about coefficients in at most {} parameters and ratios; here are {}", max_variables,
+                       variables);
   }
   return std::nullopt;
 }

@@ -14,4 +14,9 @@ using TheoremChecker = std::string (*)(const nlohmann::json& certificate, Budget
 /// U1, U2, N1 and N3, whose certificates have one form: scheme, claim, verdict, theorem, proof.
 std::string check_smoothness(const nlohmann::json& certificate, Budget& budget);
 
+/// S1: C^m of a nonstationary scheme by asymptotic equivalence.
+std::string check_s1(const nlohmann::json& certificate, Budget& budget);
+/// S2: functions that every step of a nonstationary scheme reproduces or generates, and those it does not.
+std::string check_s2(const nlohmann::json& certificate, Budget& budget);
+
 }  // namespace limes::checker

@@ -4,6 +4,7 @@
 #include "proofs/certificate.hpp"
 #include "proofs/certificate_text_impl.hpp"
 #include "proofs/checker/checker.hpp"
+#include "schemes/nonuniform/normalized_rule.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -50,7 +51,7 @@ Json definition_of(const Scheme& scheme, int smoothness, const Box& region) {
                           .verdict = Outcome::certified,
                           .theorem = Theorem::u1,
                           .proof = LeafProof{}};
-  if (scheme.insertion_rule) certificate.definition = scheme.insertion_rule->text();
+  if (scheme.insertion_rule) certificate.definition = normalized_text(*scheme.insertion_rule);
   return Json::parse(to_json(certificate)).at("scheme");
 }
 

@@ -1,6 +1,7 @@
 #include "reports/tables/published_table.hpp"
 
 #include "algebra/error.hpp"
+#include "schemes/data_directory.hpp"
 #include "schemes/table_reader_impl.hpp"
 
 #include <fmt/ranges.h>
@@ -104,10 +105,8 @@ PublishedTable read_published_table(std::string_view text, const fs::path& file)
 PublishedTable read_published_table_file(const fs::path& file) { return read_published_table(read_toml_text(file), file); }
 
 fs::path published_directory() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = program.parent_path().parent_path() / "share/limes/published";
-  if (error || !fs::is_directory(beside)) throw InputError(fmt::format("no published tables at '{}'", beside.string()));
+  const fs::path beside = data_path("published");
+  if (!fs::is_directory(beside)) throw InputError(fmt::format("no published tables at '{}'", beside.string()));
   return beside;
 }
 

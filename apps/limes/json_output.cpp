@@ -129,6 +129,15 @@ std::string show_json(const Scheme& scheme) {
             {"parameter_shift", to_string(degrees.parameter_shift, names)},
             {"interpolatory", interpolatory_index(mask).has_value()},
             {"claims", claims}};
+  if (scheme.insertion_rule) {
+    const InsertionRuleText& rule = scheme.insertion_rule->text();
+    Json let = Json::array(), coefficients = Json::array();
+    for (const auto& [name, value] : rule.let) let.push_back({{"name", name}, {"value", value.text}});
+    for (const auto& line : rule.coefficients) coefficients.push_back(line.text);
+    json["points"] = scheme.insertion_rule->points();
+    json["let"] = let;
+    json["coefficients"] = coefficients;
+  }
   if (scheme.sequence) json["sequence"] = sequence_json(*scheme.sequence);
   return text(json);
 }

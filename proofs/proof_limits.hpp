@@ -9,7 +9,7 @@ namespace limes {
 struct ProofLimits {
   ContractivityLimits contractivity;
   /// Polytope norms: vectors, and the dimension of the sections.
-  PolytopeLimits polytope{.max_vectors = 400, .precision = 48};
+  PolytopeLimits polytope{.max_vectors = 400, .precision = 48, .eagerness = 0.5};
   int max_polytope_dimension = 20;
   /// Leaves of one proof.
   int max_leaves = 20000;

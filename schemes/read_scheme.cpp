@@ -3,9 +3,9 @@
 #include "algebra/error.hpp"
 #include "algebra/expression/expression.hpp"
 #include "algebra/number/read_rational.hpp"
+#include "schemes/catalogue.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/table_reader_impl.hpp"
-#include "schemes/uniform/interpolant_rule.hpp"
 
 #include <fmt/format.h>
 
@@ -85,7 +85,7 @@ void read_uniform(TableReader reader, Scheme& scheme) {
     if (arity != 2) reader.fail(*rule, "a rule makes a binary scheme: arity must be 2");
     scheme.rule = reader.text(*rule, "rule");
     scheme.mask = reader.located(*rule, "rule",
-                                 [&] { return mask_from_rule(read_expression(scheme.rule), scheme.parameter_names()); });
+                                 [&] { return uniform_mask(InsertionRule(read_expression(scheme.rule), scheme.parameter_names())); });
   }
   if (scheme.mask.symbol.is_zero()) reader.fail(mask ? *mask : *rule, "the mask is zero");
   reader.finish();
@@ -135,13 +135,126 @@ void read_nonuniform(TableReader reader, Scheme& scheme) {
   };
   try {
     scheme.insertion_rule.emplace(text, scheme.parameter_names());
+    scheme.mask = uniform_mask(*scheme.insertion_rule);
   } catch (const LimitError& error) {
     throw LimitError(error.reason(), position(error));
   } catch (const InputError& error) {
     throw InputError(error.reason(), position(error));
   }
   scheme.rule = text.new_point.text;
-  scheme.mask = uniform_mask(*scheme.insertion_rule);
+}
+
+std::vector<MaskSequence::Range> read_types(TableReader& reader, int arity) {
+  const toml::node& node = reader.require("types");
+  TableReader table = reader.table(node, "'types'");
+  std::vector<MaskSequence::Range> types;
+  for (const AngleType type : {AngleType::trigonometric, AngleType::hyperbolic}) {
+    const toml::node* range = table.find(to_string(type));
+    if (!range) continue;
+    const int most = (type == AngleType::trigonometric ? 3 : 100) * arity;
+    types.push_back({type, read_range(table, *range, to_string(type))});
+    if (types.back().angles.lower < 0 || types.back().angles.upper > most) {
+      table.fail(*range, fmt::format("{} angles go from 0 to {}", to_string(type), most));
+    }
+  }
+  table.finish();
+  if (types.empty()) reader.fail(node, "'types' needs the range of the angle for trigonometric, hyperbolic, or both");
+  return types;
+}
+
+std::vector<ExponentialFunction> read_functions(TableReader& reader, const toml::node& node) {
+  const auto* entries = node.as_array();
+  if (!entries) reader.fail(node, "'interpolate' must be an array of strings");
+  std::vector<ExponentialFunction> functions;
+  for (const toml::node& entry : *entries) {
+    functions.push_back(
+        reader.located(entry, "interpolate", [&] { return read_exponential_function(reader.text(entry, "interpolate")); }));
+  }
+  return functions;
+}
+
+void read_nonstationary(TableReader reader, Scheme& scheme) {
+  MaskSequence sequence;
+  int arity = 2;
+  if (const toml::node* node = reader.find("arity")) arity = reader.integer(*node, "arity", 2, max_arity);
+  sequence.angle = reader.text_or("angle", sequence.angle);
+  sequence.level_parameter = reader.text_or("level_parameter", sequence.level_parameter);
+  if (!is_name(sequence.angle) || !is_name(sequence.level_parameter) || sequence.angle == sequence.level_parameter) {
+    reader.fail("'angle' and 'level_parameter' are two different names");
+  }
+  sequence.types = read_types(reader, arity);
+  const VariableNames names{sequence.level_parameter};
+  const toml::node* mask = reader.find("mask");
+  const toml::node* interpolate = reader.find("interpolate");
+  if (!mask == !interpolate) reader.fail("[nonstationary] needs exactly one of 'mask' and 'interpolate'");
+  if (mask) {
+    sequence.mask = read_mask(reader, *mask, arity, names);
+  } else {
+    if (arity != 2) reader.fail(*interpolate, "interpolation makes a binary scheme: arity must be 2");
+    sequence.interpolated = read_functions(reader, *interpolate);
+    sequence.mask = reader.located(*interpolate, "interpolate", [&] { return interpolation_mask(sequence.interpolated); });
+  }
+  if (const toml::node* node = reader.find("first_levels")) {
+    const auto* levels = node->as_array();
+    constexpr std::size_t max_first_levels = 64;
+    if (!levels || levels->size() > max_first_levels) {
+      reader.fail(*node, fmt::format("'first_levels' must be an array of at most {} tables {{ mask = [..] }}", max_first_levels));
+    }
+    for (const toml::node& level : *levels) {
+      TableReader table = reader.table(level, "a first level");
+      sequence.first_levels.push_back(read_mask(table, table.require("mask"), arity, names));
+      table.finish();
+    }
+  }
+  reader.finish();
+  const toml::node& place = mask ? *mask : *interpolate;
+  if (sequence.mask.symbol.is_zero()) reader.fail(place, "the mask is zero");
+  scheme.mask = reader.located(place, "the limit of the masks", [&] { return limit_mask(sequence, 1); });
+  if (scheme.mask.symbol.is_zero()) reader.fail(place, "the limit of the masks is zero");
+  Interval hull = sequence.types.front().angles;
+  for (const MaskSequence::Range& range : sequence.types) {
+    if (range.angles.lower < hull.lower || (range.angles.lower == hull.lower && !range.angles.lower_open)) {
+      hull.lower = range.angles.lower;
+      hull.lower_open = range.angles.lower_open;
+    }
+    if (range.angles.upper > hull.upper || (range.angles.upper == hull.upper && !range.angles.upper_open)) {
+      hull.upper = range.angles.upper;
+      hull.upper_open = range.angles.upper_open;
+    }
+  }
+  scheme.parameters = {{sequence.angle, hull}};
+  scheme.sequence = std::move(sequence);
+}
+
+/// The type of a claim about a nonstationary scheme, the first one by default, whose range is the claim's default region.
+void read_claim_type(TableReader& reader, const MaskSequence& sequence, Claim& claim) {
+  claim.type = sequence.types.front().type;
+  if (const toml::node* node = reader.find("type")) {
+    const std::string type = reader.text(*node, "type");
+    const auto found = std::find_if(sequence.types.begin(), sequence.types.end(),
+                                    [&](const MaskSequence::Range& range) { return to_string(range.type) == type; });
+    if (found == sequence.types.end()) reader.fail(*node, fmt::format("the scheme has no type '{}'", type));
+    claim.type = found->type;
+  }
+  for (const ExponentialFunction& f : claim.space ? claim.space->functions : std::vector<ExponentialFunction>{}) {
+    if (!fits(f, claim.type)) reader.fail(fmt::format("{} does not belong to the {} type", to_string(f), to_string(claim.type)));
+  }
+  claim.region = {sequence.find(claim.type)->angles};
+}
+
+/// The curve scheme is one of the catalogue, or a file beside the surface scheme's own.
+void read_surface(TableReader reader, const std::filesystem::path& file, Scheme& scheme) {
+  const std::string curve = reader.text("curve");
+  const toml::node& place = reader.require("curve");
+  reader.finish();
+  const Scheme loaded = reader.located(place, "curve", [&] {
+    const bool is_file = curve.ends_with(".toml");
+    Scheme found = is_file ? read_scheme_file(file.parent_path() / curve) : load_scheme(curve);
+    if (!found.sequence) throw InputError(fmt::format("{} is no nonstationary scheme", curve));
+    return found;
+  });
+  scheme.surface = reader.located(place, "curve", [&] { return surface_rule(curve, *loaded.sequence); });
+  scheme.parameters = loaded.parameters;
 }
 
 Claim read_claim(TableReader reader, const Scheme& scheme) {
@@ -156,6 +269,9 @@ Claim read_claim(TableReader reader, const Scheme& scheme) {
   }
   claim.line = reader.line();
   claim.region = scheme.parameter_box();
+  if (scheme.sequence) read_claim_type(reader, *scheme.sequence, claim);
+  if (claim.space && !scheme.sequence) reader.fail("only nonstationary schemes have claims about reproduction and generation");
+  const Box widest = claim.region;
   if (const toml::node* node = reader.find("region")) {
     TableReader region = reader.table(*node, "region");
     for (std::size_t k = 0; k < scheme.parameters.size(); ++k) {
@@ -163,9 +279,9 @@ Claim read_claim(TableReader reader, const Scheme& scheme) {
       const toml::node* range = region.find(parameter.name);
       if (!range) continue;
       claim.region[k] = read_range(region, *range, parameter.name);
-      if (!parameter.range.contains(claim.region[k])) {
+      if (!widest[k].contains(claim.region[k])) {
         region.fail(*range, fmt::format("the region {} = {} exceeds the parameter's range {}", parameter.name,
-                                        to_string(claim.region[k]), to_string(parameter.range)));
+                                        to_string(claim.region[k]), to_string(widest[k])));
       }
     }
     region.finish();
@@ -214,15 +330,27 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
   const std::string kind_name = reader.text(kind, "kind");
   if (kind_name == "nonuniform") {
     scheme.kind = SchemeKind::nonuniform;
+  } else if (kind_name == "nonstationary") {
+    scheme.kind = SchemeKind::nonstationary;
+  } else if (kind_name == "surface") {
+    scheme.kind = SchemeKind::surface;
   } else if (kind_name != "uniform") {
-    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform)", kind_name));
+    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform, nonstationary, surface)", kind_name));
   }
   scheme.sources = read_keys(reader.text_or("source", ""));
   if (const toml::node* node = reader.find("parameters")) {
+    if (scheme.kind == SchemeKind::surface) reader.fail(*node, "the parameters of a surface scheme are those of its curve scheme");
+    if (scheme.kind == SchemeKind::nonstationary) {
+      reader.fail(*node, "the only parameter of a nonstationary scheme is its angle, whose range 'types' gives");
+    }
     scheme.parameters = read_parameters(reader.table(*node, "[parameters]"));
   }
   if (scheme.kind == SchemeKind::uniform) {
     read_uniform(reader.table(reader.require("uniform"), "[uniform]"), scheme);
+  } else if (scheme.kind == SchemeKind::surface) {
+    read_surface(reader.table(reader.require("surface"), "[surface]"), file, scheme);
+  } else if (scheme.kind == SchemeKind::nonstationary) {
+    read_nonstationary(reader.table(reader.require("nonstationary"), "[nonstationary]"), scheme);
   } else {
     read_nonuniform(reader.table(reader.require("nonuniform"), "[nonuniform]"), scheme);
   }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "analysis/nonuniform/dominance_comparison.hpp"
 #include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
+#include "proofs/map/map_unions.hpp"
 #include "proofs/verdict.hpp"
 #include "reports/tables/compare_table.hpp"
 #include "reports/unity/smoothness_cost.hpp"
@@ -41,6 +43,26 @@ struct MatrixReport {
   std::vector<ComplexRoot> eigenvalues;
 };
 
+struct DominanceReport {
+  std::string scheme;
+  Claim claim;
+  std::string region;
+  /// Parameters, then gamma.
+  VariableNames names;
+  /// Why there is nothing to compare; empty otherwise.
+  std::string reason;
+  std::vector<FactorComparison> factors;
+};
+
+struct MapReport {
+  const Scheme& scheme;
+  const Claim& claim;
+  const ParameterMap& map;
+  const std::vector<MapUnion>& unions;
+  /// files[i][k]: the certificate of part k of union i.
+  std::vector<std::vector<std::string>> files;
+};
+
 struct DeriveReport {
   std::string weight;
   DerivedMask derived = {};
@@ -66,7 +88,9 @@ std::string list_json(const std::vector<Scheme>& schemes);
 std::string show_json(const Scheme& scheme);
 std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
+std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
+std::string dominance_json(const std::vector<DominanceReport>& reports);
 std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
 std::string tables_json(const std::vector<ComparedTable>& tables);

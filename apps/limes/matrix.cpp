@@ -8,6 +8,7 @@
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "analysis/nonuniform/subdivision_matrix.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/parameter_settings.hpp"
 
 #include <fmt/format.h>
 
@@ -101,6 +102,7 @@ std::vector<ComplexRoot> eigenvalues_at(const SubdivisionMatrix& matrix, const B
 int run_matrix(const MatrixOptions& options) {
   const Session session(options);
   const Scheme scheme = load_scheme(options.scheme);
+  require_one_mask(scheme, "matrix");
   if (!scheme.insertion_rule) {
     throw InputError(fmt::format("{} is a {} scheme; the subdivision matrix belongs to a non-uniform one", scheme.name,
                                  to_string(scheme.kind)));

@@ -1,6 +1,7 @@
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
+#include "schemes/nonstationary/angle.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

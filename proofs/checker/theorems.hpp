@@ -21,4 +21,9 @@ std::string check_p2(const nlohmann::json& certificate, Budget& budget);
 /// B1: multiresolution filters are biorthogonal, with bounds of their norms.
 std::string check_biorthogonality(const nlohmann::json& certificate, Budget& budget);
 
+/// S1: C^m of a nonstationary scheme by asymptotic equivalence.
+std::string check_s1(const nlohmann::json& certificate, Budget& budget);
+/// S2: functions that every step of a nonstationary scheme reproduces or generates, and those it does not.
+std::string check_s2(const nlohmann::json& certificate, Budget& budget);
+
 }  // namespace limes::checker

@@ -4,13 +4,12 @@
 
 namespace limes {
 
-FilterBank alternated_bank(std::vector<Rational> p, std::vector<Rational> q, int shift, int extension,
-                           int mask_length) {
+FilterBank alternated_bank(std::vector<Rational> p, std::vector<Rational> q, int shift, int extension) {
   const std::size_t length = p.size();
   if (length % 2 != 0 || q.size() != length || shift % 2 != 0)
     throw DomainError("filters need one even length and an even shift");
   FilterBank bank{std::move(p), std::vector<Rational>(length), std::vector<Rational>(length), std::move(q),
-                  shift,        extension,                     mask_length};
+                  shift, extension};
   for (std::size_t i = 0; i < length; ++i) {
     const std::size_t mirrored = length - 1 - i;
     bank.b[i] = i % 2 == 0 ? -bank.p[mirrored] : bank.p[mirrored];

@@ -18,15 +18,13 @@ struct FilterBank {
   int shift = 0;
   /// l, even.
   int extension = 0;
-  /// k: the length of the mask as it is given, before zeros are appended.
-  int mask_length = 0;
 
   int length() const { return static_cast<int>(p.size()); }
 };
 
 /// b_i = (-1)^i p_{K+1-i} and a_i = (-1)^{i+1} q_{K+1-i}, i = 1..K (eqs. 35 and 44): then BP = 0 and AQ = 0, and AP = I
 /// is the same as BQ = I. \pre p and q have one even length
-FilterBank alternated_bank(std::vector<Rational> p, std::vector<Rational> q, int shift, int extension, int mask_length);
+FilterBank alternated_bank(std::vector<Rational> p, std::vector<Rational> q, int shift, int extension);
 
 /// sum_i x_{i + shift + 2 lag} y_i, entries outside being zero: the entry of A P (x = p, y = a) in row r, column r - lag.
 Rational correlation(const std::vector<Rational>& x, const std::vector<Rational>& y, int shift, int lag);

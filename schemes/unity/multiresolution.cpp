@@ -147,7 +147,7 @@ Multiresolution find_multiresolution(const std::vector<Rational>& mask, const Mu
                         chosen.squared_error < result.squared_error * (1 - tolerance(options));
     result.steps.push_back({l, chosen.shift, chosen.squared_error});
     if (better) {
-      result.bank = alternated_bank(p, chosen.q, chosen.shift, l, static_cast<int>(mask.size()));
+      result.bank = alternated_bank(p, chosen.q, chosen.shift, l);
       result.squared_error = chosen.squared_error;
     }
     result.threshold_reached =

@@ -21,7 +21,9 @@ TEST(ExactSolve, SolvesRandomSystemsAndKnowsSingularOnes) {
     }
     const std::optional<RationalMatrix> x = exact_solve(a, b);
     EXPECT_EQ(x.has_value(), rank(a) == n);
-    if (x) EXPECT_EQ(a * *x, b);
+    if (x) {
+      EXPECT_EQ(a * *x, b);
+    }
     if (n > 1) {
       for (int j = 0; j < n; ++j) a(1, j) = 2 * a(0, j);
       EXPECT_FALSE(exact_solve(a, b));

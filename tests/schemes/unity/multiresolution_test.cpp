@@ -112,7 +112,7 @@ TEST(Multiresolution, TheErrorIsLeastAmongAllSolutions) {
         const Rational w = Rational(static_cast<int>(random() % 21) - 10) / 100;
         for (std::size_t j = 0; j + std::size_t(2 * t) < q.size(); ++j) q[j + std::size_t(2 * t)] += w * m.bank.p[j];
       }
-      const FilterBank other = alternated_bank(m.bank.p, q, m.bank.shift, 4, m.bank.mask_length);
+      const FilterBank other = alternated_bank(m.bank.p, q, m.bank.shift, 4);
       EXPECT_EQ(exact_biorthogonality_defect(other), 0);
       EXPECT_GE(exact_squared_orthogonality_error(other), m.squared_error);
     }

@@ -51,8 +51,18 @@ Attempt from_mask(MaskProofAttempt mask) {
   return attempt;
 }
 
+/// Theorems P0, P1 and P2 speak of one mask and nothing else.
+bool is_plain_mask(const Scheme& scheme) { return scheme.kind == SchemeKind::uniform && scheme.parameters.empty(); }
+
+Attempt plain_masks_only() {
+  Attempt none;
+  none.reason = "such claims are decided for uniform schemes without parameters only";
+  return none;
+}
+
 /// The projective scheme is C^m (only C^0 can be proved) or, negated, not C^m.
 Attempt attempt_projective(const Scheme& scheme, int m, bool negated, const Stop& stop) {
+  if (!is_plain_mask(scheme)) return plain_masks_only();
   if (!negated && m == 0) return from_mask(prove_projective_convergence(scheme.mask, stop));
   if (negated && m > 0) return from_mask(prove_projective_roughness(scheme.mask, stop));
   Attempt none;
@@ -72,7 +82,7 @@ Attempt attempt_statement(const Scheme& scheme, const Claim& claim, bool negated
   }
   if (!scheme.insertion_rule) {
     Attempt attempt = from_leaves(prove_not_smooth(scheme.mask, m, region, limits, stop), Theorem::u2);
-    if (attempt.proof || !is_point(region)) return attempt;
+    if (attempt.proof || !is_plain_mask(scheme)) return attempt;
     // Without sum rules there is no need of stability.
     Attempt divergence = from_mask(prove_zero_limits(scheme.mask, true, stop));
     return divergence.proof ? divergence : attempt;
@@ -251,7 +261,7 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
   }
   try {
     if (claim.subject == ClaimSubject::zero_limits) {
-      Attempt zero = from_mask(prove_zero_limits(scheme.mask, false, stop));
+      Attempt zero = is_plain_mask(scheme) ? from_mask(prove_zero_limits(scheme.mask, false, stop)) : plain_masks_only();
       if (zero.proof) return conclude(scheme, claim, Outcome::certified, std::move(zero));
       undecided.reason = zero.reason;
       return undecided;

@@ -9,8 +9,8 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <cmath>
 #include <mutex>
@@ -223,7 +223,8 @@ LeastSquares integral_least_squares(const RefinementEquation& equation, int samp
 }
 
 std::vector<double> approx_singular_values(const LeastSquares& system, const RationalMatrix& basis) {
-  const PrecisionScope scope(3 * std::max(system.precision, 128));
+  // The Gram matrix has the squares of the singular values.
+  const PrecisionScope scope(system.precision == 0 ? 384 : 2 * system.precision + 64);
   const int n = basis.rows(), columns = basis.columns();
   if (columns == 0) return {};
   Matrix<Mpfr> gram(n, n), span(n, columns);
@@ -234,10 +235,11 @@ std::vector<double> approx_singular_values(const LeastSquares& system, const Rat
   const Matrix<Mpfr> orthonormal =
       Eigen::HouseholderQR<Matrix<Mpfr>>(span).householderQ() * Matrix<Mpfr>::Identity(n, columns);
   const Matrix<Mpfr> restricted = orthonormal.transpose() * gram * orthonormal;
+  const Eigen::SelfAdjointEigenSolver<Matrix<Mpfr>> solver(restricted, Eigen::EigenvaluesOnly);
   std::vector<double> values;
-  const Eigen::JacobiSVD<Matrix<Mpfr>> svd(restricted);
-  for (Eigen::Index k = 0; k < svd.singularValues().size(); ++k) {
-    values.push_back(static_cast<double>(Mpfr(sqrt(svd.singularValues()(k)))));
+  for (Eigen::Index k = columns; k-- > 0;) {
+    const Mpfr square = solver.eigenvalues()(k);
+    values.push_back(square > 0 ? static_cast<double>(Mpfr(sqrt(square))) : 0.0);
   }
   return values;
 }

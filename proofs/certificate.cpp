@@ -1,9 +1,9 @@
 #include "proofs/certificate.hpp"
 
 #include "algebra/error.hpp"
+#include "proofs/certificate_text_impl.hpp"
 #include "proofs/nonstationary/sequence_proof.hpp"
-
-#include <nlohmann/json.hpp>
+#include "proofs/spectral_radius/norm_json_impl.hpp"
 
 namespace limes {
 namespace {
@@ -19,6 +19,9 @@ Json region_to_json(const Box& region, const VariableNames& names) {
 Json leaf_to_json(const ProofLeaf& leaf, const VariableNames& names) {
   Json json{{"region", region_to_json(leaf.region, names)}};
   if (const auto* contraction = std::get_if<ContractionWitness>(&leaf.witness)) json["level"] = contraction->level;
+  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
+    json["polytope"] = {{"bound", to_string(polytope->norm.bound)}, {"norm", norm_to_json(polytope->norm)}};
+  }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) json["missing_factor"] = true;
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) json["word"] = word->word;
   if (const auto* ratio = std::get_if<RatioWitness>(&leaf.witness)) json["gamma"] = to_string(ratio->gamma);
@@ -31,13 +34,29 @@ Json leaves_to_json(const std::vector<ProofLeaf>& leaves, const VariableNames& n
   return json;
 }
 
-Json dominance_to_json(std::size_t factor, const DominanceLeaf& leaf, const VariableNames& names) {
+/// The ends of the intervals between which there is one root each, and lower bounds of the moduli of these roots if a pair of
+/// conjugate ones is left.
+void add_separation(Json& json, const DominanceLeaf& leaf, int degree) {
+  std::vector<Rational> curves;
+  Json distances = Json::array();
+  for (const Interval& root : leaf.roots) {
+    if (curves.empty() || curves.back() != root.lower) curves.push_back(root.lower);
+    curves.push_back(root.upper);
+    distances.push_back(to_string(std::min(Rational(abs(root.lower)), Rational(abs(root.upper)))));
+  }
+  json["curves"] = Json::array();
+  for (const Rational& curve : curves) json["curves"].push_back(to_string(curve));
+  if (static_cast<int>(leaf.roots.size()) < degree) json["distances"] = std::move(distances);
+}
+
+Json dominance_to_json(std::size_t factor, int degree, const DominanceLeaf& leaf, const VariableNames& names) {
   Json json{{"factor", factor}, {"region", region_to_json(leaf.box, names)}, {"test", std::string(to_string(leaf.method))}};
   // The cuts of c = cos t inside of [-1, 1].
   if (leaf.method == DominanceMethod::circle && leaf.cuts.size() > 2) {
     json["c"] = Json::array();
     for (std::size_t k = 1; k + 1 < leaf.cuts.size(); ++k) json["c"].push_back(to_string(leaf.cuts[k]));
   }
+  if (leaf.method == DominanceMethod::sign_separation) add_separation(json, leaf, degree);
   return json;
 }
 
@@ -88,7 +107,7 @@ Json proof_to_json(const Certificate& certificate) {
   const VariableNames& names = certificate.parameters;
   Json json = Json::object();
   if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
-    if (certificate.theorem == Theorem::n3) return leaf_to_json(leaves->leaves.front(), names);
+    if (certificate.theorem == Theorem::n3 && leaves->leaves.size() == 1) return leaf_to_json(leaves->leaves.front(), names);
     if (leaves->stability) json["stability"] = to_text(*leaves->stability);
     json["leaves"] = leaves_to_json(leaves->leaves, names);
   } else {
@@ -99,13 +118,20 @@ Json proof_to_json(const Certificate& certificate) {
     json["factors"] = Json::array();
     json["multiplicities"] = Json::array();
     json["dominance"] = Json::array();
+    if (knots.both_sides) json["mirrored"] = Json::array();
     for (std::size_t k = 0; k < knots.factors.size(); ++k) {
       const DominatedFactor& factor = knots.factors[k];
       Json coefficients = Json::array();
       for (const MultivariatePolynomial& d : factor.polynomial.coefficients()) coefficients.push_back(to_string(d, with_ratio));
       json["factors"].push_back(std::move(coefficients));
       json["multiplicities"].push_back(factor.multiplicity);
-      for (const DominanceLeaf& leaf : factor.leaves) json["dominance"].push_back(dominance_to_json(k, leaf, with_ratio));
+      const auto add = [&](const char* key, const std::vector<DominanceLeaf>& boxes) {
+        for (const DominanceLeaf& leaf : boxes) {
+          json[key].push_back(dominance_to_json(k, factor.polynomial.degree(), leaf, with_ratio));
+        }
+      };
+      add("dominance", factor.leaves);
+      add("mirrored", factor.mirrored_leaves);
     }
   }
   return json;
@@ -145,7 +171,7 @@ int Certificate::leaf_count() const {
   if (!std::holds_alternative<KnotProof>(proof)) return 1;
   const KnotProof& knots = std::get<KnotProof>(proof);
   std::size_t count = knots.uniform_leaves.size();
-  for (const DominatedFactor& factor : knots.factors) count += factor.leaves.size();
+  for (const DominatedFactor& factor : knots.factors) count += factor.leaves.size() + factor.mirrored_leaves.size();
   return static_cast<int>(count);
 }
 
@@ -160,7 +186,7 @@ std::string to_json(const Certificate& certificate) {
                   {"verdict", to_string(certificate.verdict)},
                   {"theorem", to_string(certificate.theorem)},
                   {"proof", proof_to_json(certificate)}};
-  return json.dump(1) + "\n";
+  return certificate_text(json);
 }
 
 }  // namespace limes

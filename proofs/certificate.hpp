@@ -3,6 +3,7 @@
 #include "analysis/nonstationary/asymptotic_bound.hpp"
 #include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/nonuniform/dominance_test.hpp"
+#include "analysis/spectral_radius/polytope_norm.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "schemes/scheme.hpp"
 
@@ -36,6 +37,10 @@ std::string to_string(Theorem theorem);
 struct ContractionWitness {
   int level = 1;
 };
+/// A norm of bound < 1 for all matrices of section_hull() on the leaf (U1).
+struct PolytopeWitness {
+  PolytopeNorm norm;
+};
 /// sigma^{m+1} does not divide the symbol at any point of the leaf (U2).
 struct MissingFactorWitness {};
 /// The product of the difference sections along the word has spectral radius >= 1 on the leaf (U2).
@@ -43,7 +48,7 @@ struct WordWitness {
   std::vector<int> word;
 };
 
-/// The eigenvalues at the knot ratio gamma are not those of a C^m scheme at the leaf, a point (N3).
+/// The eigenvalues at the knot ratio gamma are not those of a C^m scheme, everywhere on the leaf (N3).
 struct RatioWitness {
   Rational gamma;
 };
@@ -51,7 +56,7 @@ struct RatioWitness {
 /// One box of a proof with the witness that settles it.
 struct ProofLeaf {
   Box region;
-  std::variant<ContractionWitness, MissingFactorWitness, WordWitness, RatioWitness> witness;
+  std::variant<ContractionWitness, PolytopeWitness, MissingFactorWitness, WordWitness, RatioWitness> witness;
 };
 
 /// The witness data of Theorems U1, U2 and N3.
@@ -62,17 +67,21 @@ struct LeafProof {
 };
 
 /// A factor of the characteristic polynomial at an isolated knot ratio, with boxes (parameters, then gamma) that cover
-/// gamma in (0, 1] times the region, on each of which its roots are dominated.
+/// gamma in (0, 1] times the region, on each of which its roots are dominated; and the same for 1/gamma in place of gamma, when the
+/// rule is not mirror-symmetric.
 struct DominatedFactor {
   LambdaPolynomial polynomial;
   int multiplicity = 1;
   std::vector<DominanceLeaf> leaves;
+  std::vector<DominanceLeaf> mirrored_leaves;
 };
 
 /// The witness data of Theorem N1.
 struct KnotProof {
   std::vector<ProofLeaf> uniform_leaves;
   std::vector<DominatedFactor> factors;
+  /// Whether the factors have mirrored leaves.
+  bool both_sides = false;
 };
 
 /// The witness data of Theorem S1.

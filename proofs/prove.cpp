@@ -6,6 +6,7 @@
 #include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/nonuniform/knot_proof.hpp"
 #include "proofs/uniform/smoothness_proof.hpp"
+#include "schemes/nonuniform/normalized_rule.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,10 +51,13 @@ Attempt attempt_statement(const Scheme& scheme, int m, bool negated, const Box& 
     return scheme.insertion_rule ? attempt_for_all_knots(*scheme.insertion_rule, m, region, limits, stop)
                        : from_leaves(prove_smooth(scheme.mask, m, region, limits, stop), Theorem::u1);
   }
+  if (!scheme.insertion_rule) return from_leaves(prove_not_smooth(scheme.mask, m, region, limits, stop), Theorem::u2);
   // Equal intervals are a knot sequence: what is not C^m there is not C^m.
-  Attempt attempt = from_leaves(prove_not_smooth(scheme.mask, m, region, limits, stop), Theorem::u2);
-  if (attempt.proof || !scheme.insertion_rule || !is_point(region)) return attempt;
-  Attempt by_ratio = from_leaves(refute_by_ratio(*scheme.insertion_rule, m, midpoint(region), ratio, stop), Theorem::n3);
+  const std::vector<Box> pieces = pieces_without_poles(*scheme.insertion_rule, region);
+  const auto on_piece = [&](const Box& piece) { return prove_not_smooth(scheme.mask, m, piece, limits, stop); };
+  Attempt attempt = from_leaves(on_pieces(pieces, on_piece), Theorem::u2);
+  if (attempt.proof) return attempt;
+  Attempt by_ratio = from_leaves(refute_by_ratio(*scheme.insertion_rule, m, region, ratio, limits, stop), Theorem::n3);
   return by_ratio.proof ? by_ratio : attempt;
 }
 
@@ -77,6 +81,12 @@ std::string describe_leaf(const ProofLeaf& leaf, int m) {
   }
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) {
     return fmt::format("the sections B_e along the word {} have a product of spectral radius >= 1", fmt::join(word->word, " "));
+  }
+  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
+    std::size_t vectors = 0;
+    for (const Polytope& block : polytope->norm.blocks) vectors += block.vectors.size();
+    return fmt::format("sigma^{} divides the symbol and the difference scheme contracts in the norm of a polytope of {} vectors", m + 1,
+                       vectors);
   }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) return fmt::format("sigma^{} does not divide the symbol", m + 1);
   return fmt::format("sigma^{} divides the symbol and the difference scheme contracts", m + 1);
@@ -108,7 +118,7 @@ Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, Atte
                           .verdict = outcome,
                           .theorem = attempt.theorem,
                           .proof = std::move(*attempt.proof)};
-  if (scheme.insertion_rule) certificate.definition = scheme.insertion_rule->text();
+  if (scheme.insertion_rule) certificate.definition = normalized_text(*scheme.insertion_rule);
   if (scheme.sequence) certificate.definition = *scheme.sequence;
   verdict.reason = describe_proof(certificate);
   verdict.certificate_json = to_json(certificate);
@@ -158,13 +168,38 @@ Verdict prove_for_sequence(const Scheme& scheme, const Claim& claim, const Proof
   return undecided;
 }
 
+/// Why no certificate of this scheme could be checked.
+std::optional<std::string> beyond_checker(const Scheme& scheme) {
+  constexpr int max_points = 16;
+  constexpr std::size_t max_variables = 16;
+  if (!scheme.insertion_rule) return std::nullopt;
+  const int points = scheme.insertion_rule->points();
+  if (points > max_points) return fmt::format("certificates are about rules of at most {} points; this one has {}", max_points, points);
+  const std::size_t variables = scheme.parameters.size() + static_cast<std::size_t>(points) - 2;
+  if (!scheme.insertion_rule->text().coefficients.empty() && variables > max_variables) {
+    return fmt::format("certificates are about coefficients in at most {} parameters and ratios; here are {}", max_variables, variables);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+namespace {
+
+Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
+  if (scheme.surface) {
+    Verdict verdict;
+    verdict.reason = "the smoothness of surface schemes is not decided by this claim";
+    return verdict;
+  }
   if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
   if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
+  if (auto reason = beyond_checker(scheme)) {
+    undecided.reason = std::move(*reason);
+    return undecided;
+  }
   if (const auto pole = possible_pole(scheme, claim.region)) {
     undecided.reason = fmt::format("the definition may have a pole in the region: a zero of {}",
                                    to_string(*pole, scheme.parameter_names()));
@@ -175,10 +210,9 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     Attempt direct = attempt_statement(scheme, m, claim.negated, claim.region, std::nullopt, limits, stop);
     if (direct.proof) return conclude(scheme, claim, Outcome::certified, std::move(direct));
 
-    if (claim.negated && scheme.insertion_rule) {  // N1 certifies only: one knot sequence that is smooth refutes nothing
-      undecided.reason = describe_failure(direct, scheme.parameter_names());
-      return undecided;
-    }
+    undecided.reason = describe_failure(direct, scheme.parameter_names());
+    // N1 certifies only: one knot sequence that is smooth refutes nothing.
+    if (!try_opposite || (claim.negated && scheme.insertion_rule)) return undecided;
     std::vector<std::vector<Rational>> points = sample_points(claim.region);
     if (direct.failing_point) points.insert(points.begin(), *direct.failing_point);
     std::string opposite_reason;
@@ -189,7 +223,7 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
       if (opposite.proof) return conclude(scheme, claim, Outcome::refuted, std::move(opposite));
       if (opposite_reason.empty()) opposite_reason = describe_failure(opposite, scheme.parameter_names());
     }
-    undecided.reason = fmt::format("{}; {}", describe_failure(direct, scheme.parameter_names()), opposite_reason);
+    undecided.reason += "; " + opposite_reason;
   } catch (const LimitError& error) {
     undecided.reason = error.reason();
   } catch (const Interrupted& interrupted) {
@@ -197,6 +231,16 @@ Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limit
     undecided.interrupted = true;
   }
   return undecided;
+}
+
+}  // namespace
+
+Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  return prove(scheme, claim, true, limits, stop);
+}
+
+Verdict prove_as_stated(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  return prove(scheme, claim, false, limits, stop);
 }
 
 }  // namespace limes

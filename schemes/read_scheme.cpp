@@ -1,103 +1,22 @@
-// The reader of scheme files, and the only source that includes toml++.
+// The reader of scheme files.
 
 #include "algebra/error.hpp"
 #include "algebra/expression/expression.hpp"
 #include "algebra/number/read_rational.hpp"
+#include "schemes/catalogue.hpp"
 #include "schemes/scheme.hpp"
-#include "schemes/nonuniform/insertion_rule.hpp"
+#include "schemes/table_reader_impl.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include <fstream>
-#include <set>
 
 namespace limes {
 namespace {
 
-constexpr std::uintmax_t max_file_size = 4 << 20;
 constexpr std::size_t max_parameters = 8;
 constexpr std::size_t max_mask_length = 1024;
 constexpr int max_arity = 16;
 constexpr int max_index = 1 << 20;
 constexpr int max_points = 64;
-
-/// A TOML table whose keys must all be asked for: what nobody asked for is unknown.
-class TableReader {
- public:
-  TableReader(const toml::table& table, std::string where, const std::string& file)
-      : table_(table), where_(std::move(where)), file_(file) {}
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& reason) const {
-    throw InputError(reason, {file_, static_cast<int>(node.source().begin.line), 0});
-  }
-  [[noreturn]] void fail(const std::string& reason) const { fail(table_, reason); }
-
-  int line(const toml::node& node) const { return static_cast<int>(node.source().begin.line); }
-  int line() const { return line(table_); }
-  const std::string& file() const { return file_; }
-
-  const toml::node* find(const std::string& key) {
-    asked_.insert(key);
-    return table_.get(key);
-  }
-  const toml::node& require(const std::string& key) {
-    if (const toml::node* node = find(key)) return *node;
-    fail(fmt::format("{} has no key '{}'", where_, key));
-  }
-
-  std::string text(const toml::node& node, const std::string& key) const {
-    if (const auto* value = node.as_string()) return value->get();
-    fail(node, fmt::format("'{}' must be a string", key));
-  }
-  std::string text(const std::string& key) { return text(require(key), key); }
-  std::string text_or(const std::string& key, const std::string& otherwise) {
-    const toml::node* node = find(key);
-    return node ? text(*node, key) : otherwise;
-  }
-  int integer(const toml::node& node, const std::string& key, int lower, int upper) const {
-    const auto* value = node.as_integer();
-    if (!value || value->get() < lower || value->get() > upper) {
-      fail(node, fmt::format("'{}' must be an integer from {} to {}", key, lower, upper));
-    }
-    return static_cast<int>(value->get());
-  }
-
-  TableReader table(const toml::node& node, const std::string& where) const {
-    if (const auto* value = node.as_table()) return TableReader(*value, where, file_);
-    fail(node, fmt::format("{} must be a table", where));
-  }
-  const toml::table& raw() const { return table_; }
-
-  /// Runs a reader of one value and moves its errors to that value's line.
-  template <class Read>
-  auto located(const toml::node& node, const std::string& what, Read read) const {
-    try {
-      return read();
-    } catch (const LimitError& error) {
-      throw LimitError(fmt::format("{}: {}", what, error.located(file_, line(node)).reason()), {file_, line(node), 0});
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", what, error.located(file_, line(node)).reason()), {file_, line(node), 0});
-    } catch (const DomainError& error) {
-      throw InputError(fmt::format("{}: {}", what, error.what()), {file_, line(node), 0});
-    }
-  }
-
-  /// The end of reading: every key must have been asked for.
-  void finish() const {
-    for (const auto& [key, value] : table_) {
-      if (asked_.contains(std::string(key.str()))) continue;
-      throw InputError(fmt::format("unknown key '{}' in {}", std::string(key.str()), where_),
-                       {file_, static_cast<int>(key.source().begin.line), 0});
-    }
-  }
-
- private:
-  const toml::table& table_;
-  std::string where_;
-  std::string file_;
-  std::set<std::string> asked_;
-};
 
 /// "[a, b]" and the like as one string, or two ends as an array of strings (closed).
 Interval read_range(const TableReader& reader, const toml::node& node, const std::string& name) {
@@ -323,6 +242,21 @@ void read_claim_type(TableReader& reader, const MaskSequence& sequence, Claim& c
   claim.region = {sequence.find(claim.type)->angles};
 }
 
+/// The curve scheme is one of the catalogue, or a file beside the surface scheme's own.
+void read_surface(TableReader reader, const std::filesystem::path& file, Scheme& scheme) {
+  const std::string curve = reader.text("curve");
+  const toml::node& place = reader.require("curve");
+  reader.finish();
+  const Scheme loaded = reader.located(place, "curve", [&] {
+    const bool is_file = curve.ends_with(".toml");
+    Scheme found = is_file ? read_scheme_file(file.parent_path() / curve) : load_scheme(curve);
+    if (!found.sequence) throw InputError(fmt::format("{} is no nonstationary scheme", curve));
+    return found;
+  });
+  scheme.surface = reader.located(place, "curve", [&] { return surface_rule(curve, *loaded.sequence); });
+  scheme.parameters = loaded.parameters;
+}
+
 Claim read_claim(TableReader reader, const Scheme& scheme) {
   const toml::node* text = reader.find("claim");
   const toml::node* smoothness = reader.find("smoothness");
@@ -398,11 +332,14 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
     scheme.kind = SchemeKind::nonuniform;
   } else if (kind_name == "nonstationary") {
     scheme.kind = SchemeKind::nonstationary;
+  } else if (kind_name == "surface") {
+    scheme.kind = SchemeKind::surface;
   } else if (kind_name != "uniform") {
-    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform, nonstationary)", kind_name));
+    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform, nonstationary, surface)", kind_name));
   }
   scheme.sources = read_keys(reader.text_or("source", ""));
   if (const toml::node* node = reader.find("parameters")) {
+    if (scheme.kind == SchemeKind::surface) reader.fail(*node, "the parameters of a surface scheme are those of its curve scheme");
     if (scheme.kind == SchemeKind::nonstationary) {
       reader.fail(*node, "the only parameter of a nonstationary scheme is its angle, whose range 'types' gives");
     }
@@ -410,6 +347,8 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
   }
   if (scheme.kind == SchemeKind::uniform) {
     read_uniform(reader.table(reader.require("uniform"), "[uniform]"), scheme);
+  } else if (scheme.kind == SchemeKind::surface) {
+    read_surface(reader.table(reader.require("surface"), "[surface]"), file, scheme);
   } else if (scheme.kind == SchemeKind::nonstationary) {
     read_nonstationary(reader.table(reader.require("nonstationary"), "[nonstationary]"), scheme);
   } else {
@@ -427,24 +366,9 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
 }  // namespace
 
 Scheme read_scheme(std::string_view text, const std::filesystem::path& file) {
-  if (text.size() > max_file_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
-  try {
-    return interpret(toml::parse(text, file.string()), file);
-  } catch (const toml::parse_error& error) {
-    throw InputError(std::string(error.description()), {file.string(), static_cast<int>(error.source().begin.line),
-                                                        static_cast<int>(error.source().begin.column)});
-  }
+  return interpret(parse_toml(text, file), file);
 }
 
-Scheme read_scheme_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw InputError("cannot read the file: " + error.message(), {file.string(), 0, 0});
-  if (size > max_file_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw InputError("cannot read the file", {file.string(), 0, 0});
-  return read_scheme(text, file);
-}
+Scheme read_scheme_file(const std::filesystem::path& file) { return read_scheme(read_toml_text(file), file); }
 
 }  // namespace limes

@@ -3,6 +3,7 @@
 #include "schemes/claim.hpp"
 #include "schemes/nonstationary/mask_sequence.hpp"
 #include "schemes/nonuniform/insertion_rule.hpp"
+#include "schemes/surface/surface_rule.hpp"
 #include "schemes/uniform/mask.hpp"
 
 #include <filesystem>
@@ -19,7 +20,7 @@ struct Parameter {
   Interval range;
 };
 
-enum class SchemeKind { uniform, nonuniform, nonstationary };
+enum class SchemeKind { uniform, nonuniform, nonstationary, surface };
 
 std::string to_string(SchemeKind kind);
 
@@ -40,6 +41,8 @@ struct Scheme {
   std::optional<InsertionRule> insertion_rule;
   /// Of a nonstationary scheme only; its angle is the only parameter, in the hull of the ranges of its types.
   std::optional<MaskSequence> sequence;
+  /// Of a surface scheme only, which has no mask; its parameters are those of its curve scheme.
+  std::optional<SurfaceRule> surface;
   std::vector<Claim> claims;
   std::filesystem::path file;
 

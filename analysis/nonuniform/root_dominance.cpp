@@ -14,7 +14,7 @@ constexpr std::array<std::pair<DominanceMethod, std::string_view>, 4> method_nam
     {DominanceMethod::rouche, "rouche"},
     {DominanceMethod::boundary, "boundary"},
     {DominanceMethod::circle, "circle"},
-    {DominanceMethod::sign_separation, "sign-separation"},
+    {DominanceMethod::sign_separation, "separation"},
 }};
 
 std::unique_ptr<DominanceTest> make_test(DominanceMethod method, const LambdaPolynomial& r, const Rational& rho) {

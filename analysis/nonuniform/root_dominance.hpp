@@ -8,8 +8,9 @@
 namespace limes {
 
 struct RootDominanceOptions {
-  /// Tried in this order on every box. Sign separation is slower, weaker and in no certificate.
-  std::vector<DominanceMethod> methods{DominanceMethod::rouche, DominanceMethod::circle, DominanceMethod::boundary};
+  /// Tried in this order on every box, the cheap ones first.
+  std::vector<DominanceMethod> methods{DominanceMethod::rouche, DominanceMethod::circle, DominanceMethod::boundary,
+                                       DominanceMethod::sign_separation};
   int max_boxes = 4096;
   /// Bisections per axis.
   int max_depth = 40;

@@ -40,6 +40,9 @@ Json claim_json(const Scheme& scheme, const Claim& claim) {
   return json;
 }
 
+/// Decimals rounded outward.
+Json enclosure_json(const Interval& x) { return {to_decimal(x.lower, 17, Rounding::down), to_decimal(x.upper, 17, Rounding::up)}; }
+
 Json symbol_json(const LaurentPolynomial& symbol, const VariableNames& names) {
   Json coefficients = Json::array();
   for (const RationalFunction& c : symbol.coefficients()) coefficients.push_back(to_string(c, names));
@@ -89,6 +92,13 @@ std::string list_json(const std::vector<Scheme>& schemes) {
 }
 
 std::string show_json(const Scheme& scheme) {
+  if (scheme.surface) {
+    return text(Json{{"name", scheme.name},
+                     {"title", scheme.title},
+                     {"kind", to_string(scheme.kind)},
+                     {"source", scheme.sources},
+                     {"curve", scheme.surface->curve}});
+  }
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();
   const PolynomialDegrees degrees = polynomial_degrees(mask);
@@ -146,6 +156,46 @@ std::string check_json(const std::vector<CheckedFile>& results) {
   return text({{"results", list}});
 }
 
+std::string map_json(const MapReport& report) {
+  const auto ends = [](const Interval& interval) { return Json{to_string(interval.lower), to_string(interval.upper)}; };
+  // With one parameter that varies its interval, otherwise the list of all that vary.
+  const auto extent = [&](const Box& box) {
+    Json json = Json::array();
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      if (!report.claim.region[k].is_point()) json.push_back(ends(box[k]));
+    }
+    return json.size() == 1 ? json[0] : json;
+  };
+  Json cells = Json::array();
+  for (const MapCell& cell : report.map.cells) {
+    cells.push_back({{"region", region_json(report.scheme, cell.region)},
+                     {"intervals", intervals_json(report.scheme, cell.region)},
+                     {"verdict", to_string(cell.verdict)}});
+  }
+  Json sets = Json::object();
+  for (const Outcome verdict : {Outcome::certified, Outcome::refuted, Outcome::undecided}) sets[to_string(verdict)] = Json::array();
+  Json certificates = Json::array();
+  for (std::size_t i = 0; i < report.unions.size(); ++i) {
+    const MapUnion& one = report.unions[i];
+    sets[to_string(one.verdict)].push_back(extent(one.region));
+    for (std::size_t k = 0; k < one.parts.size(); ++k) {
+      certificates.push_back({{"intervals", intervals_json(report.scheme, one.parts[k].region)},
+                              {"verdict", to_string(one.verdict)},
+                              {"certificate", report.files[i][k]}});
+    }
+  }
+  Json json{{"scheme", report.scheme.name},
+            {"claim", statement(report.claim)},
+            {"region", region_json(report.scheme, report.claim.region)},
+            {"cells", cells}};
+  json.update(sets);
+  json["certificates"] = certificates;
+  json["unknown_measure"] = to_string(report.map.unknown_measure);
+  json["unknown_decimal"] = to_decimal(report.map.unknown_measure, 6, Rounding::up);
+  json["complete"] = report.map.complete;
+  return text(json);
+}
+
 std::string matrix_json(const MatrixReport& report) {
   const SubdivisionMatrix& matrix = report.matrix;
   const auto factors = [&](const std::vector<CharacteristicFactor>& list) {
@@ -162,14 +212,23 @@ std::string matrix_json(const MatrixReport& report) {
     for (int column = -last; column <= last; ++column) entries.push_back(to_string(matrix.entry(row, column), report.names));
     rows.push_back(std::move(entries));
   }
-  return text({{"size", matrix.size()},
+  Json eigenvalues = Json::array();
+  for (const ComplexRoot& root : report.eigenvalues) {
+    eigenvalues.push_back({{"re", enclosure_json(root.re)},
+                           {"im", enclosure_json(root.im)},
+                           {"modulus", enclosure_json(root.modulus)},
+                           {"multiplicity", root.multiplicity}});
+  }
+  Json json{{"size", matrix.size()},
                {"matrix", rows},
                {"characteristic_polynomial", to_string(report.split.chi, report.names)},
                {"polynomial_eigenvalues", report.split.smoothness + 1},
                {"ell", factors(report.split.ell)},
                {"r", factors(report.split.r)},
                {"eigenvalues_split", !report.split.missing_eigenvalue.has_value()},
-               {"symmetric", report.split.is_symmetric()}});
+               {"symmetric", report.split.is_symmetric()}};
+  if (!report.eigenvalues.empty()) json["eigenvalues"] = eigenvalues;
+  return text(json);
 }
 
 std::string dominance_json(const std::vector<DominanceReport>& reports) {
@@ -208,6 +267,23 @@ std::string norm_json(const Rational& norm, int order, int level) {
                {"decimal", to_decimal(norm, 17, Rounding::up)},
                {"order", order},
                {"level", level}});
+}
+
+std::string tables_json(const std::vector<ComparedTable>& tables) {
+  Json list = Json::array();
+  for (const ComparedTable& table : tables) {
+    Json rows = Json::array();
+    for (const TableRow& row : table.rows) {
+      rows.push_back({{"entry", row.entry},
+                      {"published", row.published},
+                      {"computed", row.computed},
+                      {"digits", row.agreement.digits ? Json(*row.agreement.digits) : Json(nullptr)},
+                      {"status", to_string(row.status)},
+                      {"reason", row.reason}});
+    }
+    list.push_back({{"name", table.name}, {"title", table.title}, {"source", table.source}, {"rows", rows}, {"complete", !table.interrupted}});
+  }
+  return text({{"tables", list}});
 }
 
 std::string outputs_json(const std::vector<OutputFile>& outputs) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "analysis/nonuniform/dominance_comparison.hpp"
+#include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
+#include "proofs/map/map_unions.hpp"
 #include "proofs/verdict.hpp"
+#include "reports/tables/compare_table.hpp"
 #include "schemes/scheme.hpp"
 
 #include <string>
@@ -34,6 +37,8 @@ struct MatrixReport {
   /// Parameters, then gamma.
   VariableNames names;
   SplitCharacteristicPolynomial split;
+  /// At one knot ratio, if asked for.
+  std::vector<ComplexRoot> eigenvalues;
 };
 
 struct DominanceReport {
@@ -47,6 +52,15 @@ struct DominanceReport {
   std::vector<FactorComparison> factors;
 };
 
+struct MapReport {
+  const Scheme& scheme;
+  const Claim& claim;
+  const ParameterMap& map;
+  const std::vector<MapUnion>& unions;
+  /// files[i][k]: the certificate of part k of union i.
+  std::vector<std::vector<std::string>> files;
+};
+
 struct OutputFile {
   std::string file;
   std::string kind;
@@ -56,9 +70,11 @@ std::string list_json(const std::vector<Scheme>& schemes);
 std::string show_json(const Scheme& scheme);
 std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
+std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
 std::string dominance_json(const std::vector<DominanceReport>& reports);
 std::string norm_json(const Rational& norm, int order, int level);
+std::string tables_json(const std::vector<ComparedTable>& tables);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

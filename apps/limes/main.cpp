@@ -71,6 +71,20 @@ int run(int argc, char** argv) {
   norm_verb->add_option("--param", norm.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   add_common(*norm_verb, norm);
 
+  MapVerbOptions map;
+  CLI::App* map_verb = app.add_subcommand("map", "Map a parameter region: where a scheme is C^m, where not, proved cell by cell");
+  map_verb->add_option("scheme", map.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  map_verb->add_option("--claim", map.claim, "C<m>, e.g. C2")->required();
+  map_verb->add_option("--param", map.parameters, "Interval or value: w=[0,1/10]; one or two parameters vary")
+      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  map_verb->add_option("--tolerance", map.tolerance, "Measure that may stay unknown (default: a thousandth of the region)")->type_name("T");
+  map_verb->add_option("--journal", map.journal, "File that keeps what is found: run again to continue after an interruption")
+      ->type_name("FILE");
+  map_verb->add_option("--certificates", map.certificates, "Directory for the certificates")->type_name("DIR")->capture_default_str();
+  map_verb->add_option("-o,--output", map.outputs, "Picture to write, by its ending: .svg, .pgf or .png; may be repeated")
+      ->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
+  add_common(*map_verb, map);
+
   MatrixOptions matrix;
   CLI::App* matrix_verb = app.add_subcommand("matrix", "Subdivision matrix at an isolated knot ratio and its characteristic polynomial");
   matrix_verb->add_option("scheme", matrix.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
@@ -105,9 +119,9 @@ int run(int argc, char** argv) {
   RefineOptions refine;
   CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
   refine_verb->add_option("scheme", refine.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
-  refine_verb->add_option("data", refine.data, "Points, one a line: numbers separated by commas")->required()->type_name("DATA.csv");
+  refine_verb->add_option("data", refine.data, "Points, one a line: numbers separated by commas; of a surface scheme a mesh (.obj) or a net of points")->required()->type_name("DATA");
   refine_verb->add_option("--levels", refine.levels, "How often to refine")->check(CLI::Range(0, 60))->type_name("N")->capture_default_str();
-  refine_verb->add_option("-o,--output", refine.outputs, "File to write, by its ending: .csv, .svg, .pgf or .png; may be repeated")
+  refine_verb->add_option("-o,--output", refine.outputs, "File to write, by its ending: .csv (of a surface: .obj), .svg, .pgf or .png; may be repeated")
       ->required()->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
   refine_verb->add_option("--param", refine.parameters, "Parameter value: w=1/16; of a nonstationary scheme theta=2*pi/7, type=hyperbolic")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   refine_verb->add_option("--knots", refine.knots,
@@ -118,8 +132,20 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"extend", "shrink", "exact"}))->type_name("RULE");
   refine_verb->add_option("--comb", refine.comb, "In pictures, a curvature comb with teeth of SCALE times the curvature")
       ->check(CLI::Range(-1e100, 1e100))->type_name("SCALE");
+  refine_verb->add_option("--net", refine.net, "Of a surface scheme: the data are a net of points, row after row, in a .csv file")->type_name("ROWSxCOLUMNS");
+  refine_verb->add_option("--rows", refine.rows, "Whether the last row of a net is its end, is followed by the first, or both are poles")
+      ->check(CLI::IsMember({"open", "periodic", "poles", "first-pole"}))->type_name("ENDS");
+  refine_verb->add_option("--columns", refine.columns, "The same for its columns")->check(CLI::IsMember({"open", "periodic"}))->type_name("ENDS");
+  refine_verb->add_option("--azimuth", refine.azimuth, "In pictures of surfaces, the viewer's angle about the z axis, in degrees")
+      ->check(CLI::Range(-360., 360.))->type_name("DEGREES");
+  refine_verb->add_option("--elevation", refine.elevation, "The viewer's angle above the xy plane")->check(CLI::Range(-90., 90.))->type_name("DEGREES");
+  refine_verb->add_flag("--show-net", refine.show_net, "In pictures of surfaces, draw the edges of the data too");
   add_common(*refine_verb, refine);
 
+  TablesOptions tables;
+  CLI::App* tables_verb = app.add_subcommand("tables", "Compute the tables of publications again and compare");
+  tables_verb->add_option("table", tables.tables, "Names of tables, files or directories (default: all that come with Limes)")->type_name("TABLE");
+  add_common(*tables_verb, tables);
   FilterOptions filters;
   CLI::App* filters_verb = app.add_subcommand("multiresolution", "Filters that reverse a scheme: banded, biorthogonal, of least orthogonality error");
   filters_verb->add_option("scheme", filters.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
@@ -168,10 +194,12 @@ int run(int argc, char** argv) {
   if (show_verb->parsed()) return run_show(show);
   if (verify_verb->parsed()) return run_verify(verify);
   if (check_verb->parsed()) return run_check(check);
+  if (map_verb->parsed()) return run_map(map);
   if (matrix_verb->parsed()) return run_matrix(matrix);
   if (dominance_verb->parsed()) return run_dominance(dominance);
   if (search_verb->parsed()) return run_search(search);
   if (refine_verb->parsed()) return run_refine(refine);
+  if (tables_verb->parsed()) return run_tables(tables);
   if (filters_verb->parsed()) return run_multiresolution(filters);
   if (decompose_verb->parsed()) return run_decompose(decompose);
   if (reconstruct_verb->parsed()) return run_reconstruct(reconstruct);

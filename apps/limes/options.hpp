@@ -44,6 +44,16 @@ struct NormOptions : CommonOptions {
   std::vector<std::string> parameters;
 };
 
+struct MapVerbOptions : CommonOptions {
+  std::string scheme;
+  std::string claim;
+  std::vector<std::string> parameters;
+  std::string tolerance;  // empty: a thousandth of the region
+  std::filesystem::path journal;  // empty: none
+  std::filesystem::path certificates = "certificates";
+  std::vector<std::filesystem::path> outputs;
+};
+
 struct MatrixOptions : CommonOptions {
   std::string scheme;
   std::vector<std::string> parameters;
@@ -77,6 +87,15 @@ struct RefineOptions : CommonOptions {
   bool closed = false;
   std::string ends;  // "extend", "shrink"; empty: the scheme's default
   std::optional<double> comb;
+  // Of surfaces:
+  std::string net;  // "8x14"; empty: the data are a mesh
+  std::string rows = "open", columns = "open";
+  std::optional<double> azimuth, elevation;
+  bool show_net = false;
+};
+
+struct TablesOptions : CommonOptions {
+  std::vector<std::string> tables;  // names, files or directories; empty: all that come with Limes
 };
 
 struct FilterOptions : CommonOptions {
@@ -118,10 +137,12 @@ int run_show(const ShowOptions& options);
 int run_verify(const VerifyOptions& options);
 int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
+int run_map(const MapVerbOptions& options);
 int run_matrix(const MatrixOptions& options);
 int run_dominance(const DominanceOptions& options);
 int run_search(const SearchOptions& options);
 int run_refine(const RefineOptions& options);
+int run_tables(const TablesOptions& options);
 int run_multiresolution(const FilterOptions& options);
 int run_decompose(const DecomposeOptions& options);
 int run_reconstruct(const ReconstructOptions& options);

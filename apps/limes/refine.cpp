@@ -1,5 +1,6 @@
 #include "apps/limes/json_output.hpp"
 #include "apps/limes/options.hpp"
+#include "apps/limes/refine_surface.hpp"
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
@@ -72,8 +73,7 @@ NonstationaryRule nonstationary_rule(const MaskSequence& sequence, AngleType typ
   return rule;
 }
 
-Refined refined(const RefineOptions& options, const Stop& stop) {
-  const Scheme scheme = load_scheme(options.scheme);
+Refined refined(const Scheme& scheme, const RefineOptions& options, const Stop& stop) {
   const std::vector<Rational> values = parameter_values(scheme, options.parameters);
   const NumberTable table = read_csv_file(options.data);
   Polygon polygon = polygon_from(table, options.closed);
@@ -97,15 +97,15 @@ Refined refined(const RefineOptions& options, const Stop& stop) {
       return {polygon,
               refine_polygon(polygon, approx_nonuniform_rule(*scheme.insertion_rule, values), refinement, stop), title};
     }
-    if (scheme.sequence && options.knots.empty()) {
-      const AngleType type = type_from_settings(scheme, options.parameters);
-      if (scheme.sequence->types.size() > 1) title += ", " + to_string(type);
-      return {polygon, refine_polygon(polygon, nonstationary_rule(*scheme.sequence, type, values.front(), refinement), refinement, stop),
-              title};
-    }
     if (!options.knots.empty() && options.knots != to_string(KnotSpacing::uniform)) {
       throw InputError(
           fmt::format("--knots {}: {} is a {} scheme, its knots are equally spaced", options.knots, scheme.name, to_string(scheme.kind)));
+    }
+    if (scheme.sequence) {
+      const AngleType type = type_from_settings(scheme, options.parameters);
+      if (scheme.sequence->types.size() > 1) title += ", " + (values.front() == 0 ? "polynomial" : to_string(type));
+      return {polygon, refine_polygon(polygon, nonstationary_rule(*scheme.sequence, type, values.front(), refinement), refinement, stop),
+              title};
     }
     return {polygon, refine_polygon(polygon, approx_uniform_rule(scheme.mask, values), refinement, stop), title};
   } catch (const InputError& error) {
@@ -126,9 +126,12 @@ std::string content(const std::string& kind, const Refined& what, const RefineOp
 
 int run_refine(const RefineOptions& options) {
   const Session session(options);
+  const Scheme scheme = load_scheme(options.scheme);
+  if (scheme.surface) return refine_surface(scheme, options, session.stop());
+  if (!options.net.empty()) throw InputError(fmt::format("--net: {} is no surface scheme", scheme.name));
   std::vector<OutputFile> outputs;
   for (const std::filesystem::path& file : options.outputs) outputs.push_back({file.string(), kind_of(file)});
-  const Refined what = refined(options, session.stop());
+  const Refined what = refined(scheme, options, session.stop());
   for (const OutputFile& output : outputs) {
     if (output.kind != "csv" && what.data.dimension() < 2) {
       throw InputError(fmt::format("-o {}: a picture needs points with at least two coordinates", output.file));

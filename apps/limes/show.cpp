@@ -2,6 +2,8 @@
 #include "apps/limes/options.hpp"
 #include "apps/limes/session.hpp"
 
+#include "algebra/error.hpp"
+
 #include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
@@ -137,11 +139,25 @@ void print_latex(const Scheme& scheme) {
                            polynomial(mask.symbol), sigma, order, p, 1 - order, polynomial(b));
 }
 
+void print_surface(const Scheme& scheme) {
+  std::cout << fmt::format("{}: {}\n", scheme.name, scheme.title);
+  const auto line = [](const std::string& key, const std::string& value) { std::cout << fmt::format("  {:<14}{}\n", key, value); };
+  line("kind", to_string(scheme.kind));
+  if (!scheme.sources.empty()) line("source", fmt::format("{}", fmt::join(scheme.sources, ", ")));
+  line("curve scheme", scheme.surface->curve);
+  line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
+}
+
 }  // namespace
 
 int run_show(const ShowOptions& options) {
   const Scheme scheme = load_scheme(options.scheme);
-  if (options.json) {
+  if (scheme.surface && options.latex) {
+    throw InputError(fmt::format("{} is a surface scheme: --latex shows its curve scheme, {}", scheme.name, scheme.surface->curve));
+  }
+  if (scheme.surface && !options.json) {
+    print_surface(scheme);
+  } else if (options.json) {
     std::cout << show_json(scheme);
   } else if (options.latex) {
     print_latex(scheme);

@@ -57,7 +57,7 @@ std::string theorem(const Certificate& certificate) {
       return "theorem N1, " + count(certificate.leaves.size(), "uniform ") + ", " +
              count(certificate.dominance.size(), "dominance ");
     case Theorem::N3:
-      return "theorem N3";
+      return "theorem N3, " + count(certificate.leaves.size(), "");
   }
   return "";
 }
@@ -82,14 +82,16 @@ void prove_leaves(const Certificate& certificate, Budget& budget) {
   };
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     const LocalScheme local = localize(leaf);
-    budget.work(smooth ? u1_work(local, leaf.level) : u2_work(local, leaf));
+    budget.work(leaf.polytope ? 0 : smooth ? norm_work(local, leaf.level) : u2_work(local, leaf));
   });
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     const LocalScheme local = localize(leaf);
-    if (smooth)
-      prove_u1(local, leaf.level);
+    if (!smooth) return prove_u2(local, certificate.interpolatory, leaf, budget);
+    prove_symbol(local);
+    if (leaf.polytope)
+      prove_polytope_leaf(local, *leaf.polytope, budget);
     else
-      prove_u2(local, certificate.interpolatory, leaf, budget);
+      prove_norm(local, leaf.level);
   });
 }
 
@@ -132,7 +134,7 @@ std::string check_smoothness(const Json& json, Budget& budget) {
       throw Rejected{"covering", "the leaves do not cover the claimed region"};
   }
   if (certificate.theorem == Theorem::N3)
-    prove_n3(certificate, budget);
+    for_each_leaf(certificate, [&](const Leaf& leaf) { prove_n3(certificate, leaf, budget); });
   else
     prove_leaves(certificate, budget);
   if (certificate.theorem == Theorem::N1) prove_n1(certificate, budget);

@@ -1,6 +1,7 @@
 #include "schemes/nonuniform/insertion_rule.hpp"
 
 #include "schemes/nonuniform/evaluate_rule.hpp"
+#include "schemes/nonuniform/segment_compiler.hpp"
 
 #include <fmt/format.h>
 
@@ -90,7 +91,14 @@ BezierSegment<K> evaluate_segment(const RuleProgram& rule, const std::string& na
 }  // namespace
 
 InsertionRule::InsertionRule(const InsertionRuleText& text, const VariableNames& parameters)
-    : program_(std::make_shared<const RuleProgram>(compile_rule(text, parameters))) {}
+    : program_(std::make_shared<const RuleProgram>(compile_rule(text, parameters))) {
+  for (const std::string& name : parameters) {
+    const VariableNames& functions = SegmentCompiler::vocabulary();
+    if (name == "gamma" || std::count(functions.begin(), functions.end(), name) > 0) {
+      throw InputError(fmt::format("'{}' means something else in insertion rules and cannot be a parameter", name));
+    }
+  }
+}
 
 InsertionRule::InsertionRule(const Expression& new_point, const VariableNames& parameters)
     : program_(std::make_shared<const RuleProgram>(compile_rule(new_point, parameters))) {}

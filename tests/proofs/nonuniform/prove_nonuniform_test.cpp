@@ -1,31 +1,13 @@
 // Karciauskas & Peters 2013, section 4: every proposition, as the catalogue states it.
 
-#include "proofs/prove.hpp"
-
-#include "proofs/checker/checker.hpp"
 #include "schemes/catalogue.hpp"
-
-#include <gtest/gtest.h>
-
-#include <fstream>
+#include "tests/proofs/nonuniform/decide.hpp"
 
 namespace limes {
 namespace {
 
-Verdict decide(const Scheme& scheme, const std::string& text, const std::string& w = "") {
-  static int count = 0;
-  Claim claim = read_statement(text);
-  claim.region = scheme.parameter_box();
-  if (!w.empty()) claim.region = {read_interval(w)};
-  const Verdict verdict = prove(scheme, claim);
-  if (verdict.certificate) {
-    EXPECT_TRUE(checker::check(verdict.certificate_json).valid);
-    const std::filesystem::path directory = std::filesystem::path(LIMES_BINARY_DIR) / "certificates/nonuniform";
-    std::filesystem::create_directories(directory);
-    std::ofstream(directory / (scheme.name + "." + std::to_string(++count) + ".json")) << verdict.certificate_json;
-  }
-  return verdict;
-}
+using test::decide;
+using test::own;
 
 Outcome outcome(const std::string& scheme, const std::string& text, const std::string& w = "") {
   return decide(Catalogue(std::filesystem::path(LIMES_SOURCE_DIR) / "schemes/catalogue").load(scheme), text, w).outcome;
@@ -67,18 +49,6 @@ TEST(ProveNonuniform, EightPoints) { EXPECT_EQ(outcome("eight-point-nonuniform",
 TEST(ProveNonuniform, SplinesOfCubicInterpolants) {
   EXPECT_EQ(outcome("cu2-4", "C2", "1/288"), Outcome::certified);
   EXPECT_EQ(outcome("cu2-4", "C2", "7/200"), Outcome::refuted);
-}
-
-/// A rule of the reader's own.
-Scheme own(const std::string& rule, int points) {
-  return read_scheme("name = \"own\"\nkind = \"nonuniform\"\n[parameters]\nw = [\"0\", \"1/4\"]\n[nonuniform]\npoints = " +
-                         std::to_string(points) + "\n[nonuniform.rule]\nnew = \"" + rule + "\"\n",
-                     "own.toml");
-}
-
-TEST(ProveNonuniform, NothingIsCertifiedThatIsNotMirrorSymmetric) {
-  // Equal intervals give the symmetric four-point scheme only in the average of f(2,0) and f(2,1); one of them alone is one-sided.
-  EXPECT_NE(decide(own("at(f(2,0),1/2)", 4), "C1", "1/16").outcome, Outcome::certified);
 }
 
 TEST(ProveNonuniform, ASmoothUniformSchemeIsNotEnough) {

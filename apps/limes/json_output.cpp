@@ -262,6 +262,48 @@ std::string dominance_json(const std::vector<DominanceReport>& reports) {
   return text({{"results", results}});
 }
 
+std::string derive_json(const DeriveReport& report) {
+  const DerivedMask& derived = report.derived;
+  const RefinementEquation& equation = derived.equation;
+  const auto strings = [](const std::vector<Rational>& numbers) {
+    Json list = Json::array();
+    for (const Rational& x : numbers) list.push_back(to_string(x));
+    return list;
+  };
+  Json json{{"weight", report.weight},
+            {"mask", strings(derived.mask)},
+            {"first_index", equation.first_index()},
+            {"first_shift", to_string(equation.first_shift)},
+            {"domain", {to_string(equation.domain.lower), to_string(equation.domain.upper)}},
+            {"error", derived.error},
+            {"least_error", derived.least_error},
+            {"exact", derived.exact},
+            {"even_sum", to_string(report.even_sum)},
+            {"odd_sum", to_string(report.odd_sum)},
+            {"alternating_sum", to_string(Rational(report.even_sum - report.odd_sum))},
+            {"sum_rule_order", report.sum_rule_order},
+            {"condition", derived.condition},
+            {"rank", derived.rank},
+            {"unknowns", derived.unknowns}};
+  if (report.optimum) {
+    json["optimum"] = {{"parameter", report.parameter},
+                       {"value", to_string(report.optimum->parameter)},
+                       {"local_minima", report.optimum->local_minima}};
+  }
+  if (report.rounded) json["rounded"] = {{"to", report.rounding}, {"mask", strings(*report.rounded)}, {"error", report.rounded_error}};
+  if (!report.costs.empty()) {
+    json["costs"] = Json::array();
+    for (const SmoothnessCost& cost : report.costs) {
+      Json claims = Json::array();
+      for (const Claim& claim : cost.claims) claims.push_back(statement(claim));
+      Json row{{"sum_rules", cost.sum_rules}, {"error", cost.error}, {"claims", claims}};
+      if (cost.exponent) row["exponent"] = to_string(*cost.exponent);
+      json["costs"].push_back(row);
+    }
+  }
+  return text(json);
+}
+
 std::string norm_json(const Rational& norm, int order, int level) {
   return text({{"norm", to_string(norm)},
                {"decimal", to_decimal(norm, 17, Rounding::up)},

@@ -7,7 +7,9 @@
 #include "proofs/map/map_unions.hpp"
 #include "proofs/verdict.hpp"
 #include "reports/tables/compare_table.hpp"
+#include "reports/unity/smoothness_cost.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/unity/optimise_weight.hpp"
 
 #include <string>
 #include <vector>
@@ -61,6 +63,22 @@ struct MapReport {
   std::vector<std::vector<std::string>> files;
 };
 
+struct DeriveReport {
+  std::string weight;
+  DerivedMask derived = {};
+  Rational even_sum = {}, odd_sum = {};
+  int sum_rule_order = 0;
+  /// Of --optimise.
+  std::string parameter = {};
+  std::optional<OptimalParameter> optimum = {};
+  /// Of --round.
+  std::string rounding = {};
+  std::optional<std::vector<Rational>> rounded = {};
+  double rounded_error = 0;
+  /// Of --cost.
+  std::vector<SmoothnessCost> costs = {};
+};
+
 struct OutputFile {
   std::string file;
   std::string kind;
@@ -73,6 +91,7 @@ std::string check_json(const std::vector<CheckedFile>& results);
 std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
 std::string dominance_json(const std::vector<DominanceReport>& reports);
+std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
 std::string tables_json(const std::vector<ComparedTable>& tables);
 /// What the verbs print that write files.

@@ -115,6 +115,26 @@ int run(int argc, char** argv) {
   search_verb->add_option("--certificates", search.certificates, "Directory for the certificates of what is found")->type_name("DIR");
   search_verb->add_option("-o,--output", search.output, "Scheme file to write with the best certified parameters")->type_name("FILE.toml");
   add_common(*search_verb, search);
+  DeriveOptions derive;
+  CLI::App* derive_verb = app.add_subcommand("derive", "Derive a mask from a weight function by least squares");
+  derive_verb->add_option("--weight", derive.weight, "Weight function, e.g. 'cinpact(c=5, sigma=479/100)', or a weight file")->required()->type_name("WEIGHT");
+  derive_verb->add_option("--domain", derive.domain, "Interval on which the refinement equation is asked for (default: the support)")->type_name("[A,B]");
+  derive_verb->add_option("--shifts", derive.shifts, "Shifts s of the dilates w(2u - s) that take part")->type_name("FIRST..LAST");
+  derive_verb->add_option("--constraint", derive.constraints, "sum-rules=K, interpolation or symmetry; may be repeated")
+      ->type_name("CONSTRAINT")->expected(1, 64)->allow_extra_args(false);
+  derive_verb->add_option("--method", derive.method, "samples, or integrals (exact for piecewise polynomials)")
+      ->check(CLI::IsMember({"samples", "integrals"}))->type_name("METHOD")->capture_default_str();
+  derive_verb->add_option("--samples", derive.samples, "Number of samples")->check(CLI::Range(2, 10000000))->type_name("N")->capture_default_str();
+  derive_verb->add_option("--precision", derive.precision, "Bits of the arithmetic: 53 (double), more: MPFR")
+      ->check(CLI::Range(53, 4096))->type_name("BITS")->capture_default_str();
+  derive_verb->add_option("--decimals", derive.decimals, "Decimals of the mask's free coefficients")->check(CLI::Range(1, 1000))->type_name("D");
+  derive_verb->add_option("--round", derive.rounding, "Show the mask and E after rounding to float32 or to D significant digits")->type_name("float32|D");
+  derive_verb->add_option("--optimise", derive.optimise, "Take the value of an argument that makes E least")->type_name("NAME=[A,B]");
+  derive_verb->add_option("--accuracy", derive.accuracy, "Of --optimise: the value is a multiple of it")->type_name("T")->capture_default_str();
+  derive_verb->add_option("--cost", derive.cost, "Table of E and certified smoothness for sum rules of order 0 .. K")->check(CLI::Range(0, 64))->type_name("K");
+  derive_verb->add_option("-o,--output", derive.output, "Scheme file to write, with what is proved as its claims")->type_name("OUT.toml");
+  derive_verb->add_option("--name", derive.name, "Name of the scheme written (default: that of the file)")->type_name("NAME");
+  add_common(*derive_verb, derive);
 
   RefineOptions refine;
   CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
@@ -198,6 +218,7 @@ int run(int argc, char** argv) {
   if (matrix_verb->parsed()) return run_matrix(matrix);
   if (dominance_verb->parsed()) return run_dominance(dominance);
   if (search_verb->parsed()) return run_search(search);
+  if (derive_verb->parsed()) return run_derive(derive);
   if (refine_verb->parsed()) return run_refine(refine);
   if (tables_verb->parsed()) return run_tables(tables);
   if (filters_verb->parsed()) return run_multiresolution(filters);

@@ -77,6 +77,23 @@ struct SearchOptions : CommonOptions {
   std::filesystem::path output;        // empty: none
 };
 
+struct DeriveOptions : CommonOptions {
+  std::string weight;  // a function's text or a weight file
+  std::string domain;
+  std::string shifts;
+  std::vector<std::string> constraints;
+  std::string method = "samples";
+  int samples = 100000;
+  int precision = 53;
+  std::optional<int> decimals;
+  std::string rounding;
+  std::string optimise;
+  std::string accuracy = "1/100";
+  std::optional<int> cost;
+  std::filesystem::path output;
+  std::string name;
+};
+
 struct RefineOptions : CommonOptions {
   std::string scheme;
   std::filesystem::path data;
@@ -141,6 +158,7 @@ int run_map(const MapVerbOptions& options);
 int run_matrix(const MatrixOptions& options);
 int run_dominance(const DominanceOptions& options);
 int run_search(const SearchOptions& options);
+int run_derive(const DeriveOptions& options);
 int run_refine(const RefineOptions& options);
 int run_tables(const TablesOptions& options);
 int run_multiresolution(const FilterOptions& options);

@@ -1,8 +1,9 @@
 #include "proofs/certificate.hpp"
 
 #include "algebra/error.hpp"
-
-#include <nlohmann/json.hpp>
+#include "proofs/certificate_text_impl.hpp"
+#include "proofs/nonstationary/sequence_proof.hpp"
+#include "proofs/spectral_radius/norm_json_impl.hpp"
 
 namespace limes {
 namespace {
@@ -18,6 +19,9 @@ Json region_to_json(const Box& region, const VariableNames& names) {
 Json leaf_to_json(const ProofLeaf& leaf, const VariableNames& names) {
   Json json{{"region", region_to_json(leaf.region, names)}};
   if (const auto* contraction = std::get_if<ContractionWitness>(&leaf.witness)) json["level"] = contraction->level;
+  if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
+    json["polytope"] = {{"bound", to_string(polytope->norm.bound)}, {"norm", norm_to_json(polytope->norm)}};
+  }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) json["missing_factor"] = true;
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) json["word"] = word->word;
   if (const auto* ratio = std::get_if<RatioWitness>(&leaf.witness)) json["gamma"] = to_string(ratio->gamma);
@@ -99,10 +103,32 @@ Json scheme_to_json(const Certificate& certificate) {
   return json;
 }
 
+Json strings(const std::vector<Rational>& numbers) {
+  Json list = Json::array();
+  for (const Rational& x : numbers) list.push_back(to_string(x));
+  return list;
+}
+
+Json cone_to_json(const ConeProof& proof) {
+  const ProjectiveContraction& contraction = proof.contraction;
+  Json json{{"cone", {{"lower", strings(contraction.cone.lower)}, {"upper", strings(contraction.cone.upper)}}},
+            {"level", contraction.level}};
+  if (!proof.roughness) return json;
+  const ProjectiveRoughness& rough = *proof.roughness;
+  json["word"] = rough.word;
+  json["dominant"] = {{"value", to_string(rough.dominant.value)}, {"vector", strings(rough.dominant.vector)}};
+  json["second"] = {{"value", to_string(rough.second.value)}, {"vector", strings(rough.second.vector)}};
+  json["window"] = rough.window;
+  return json;
+}
+
 Json proof_to_json(const Certificate& certificate) {
   const VariableNames& names = certificate.parameters;
+  if (const auto* cone = std::get_if<ConeProof>(&certificate.proof)) return cone_to_json(*cone);
   Json json = Json::object();
-  if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
+  if (const auto* zero = std::get_if<ZeroLimitProof>(&certificate.proof)) {
+    if (zero->word) json["word"] = *zero->word;
+  } else if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
     if (certificate.theorem == Theorem::n3 && leaves->leaves.size() == 1) return leaf_to_json(leaves->leaves.front(), names);
     if (leaves->stability) json["stability"] = to_text(*leaves->stability);
     json["leaves"] = leaves_to_json(leaves->leaves, names);
@@ -149,24 +175,34 @@ std::string to_string(Theorem theorem) {
     case Theorem::u2: return "U2";
     case Theorem::n1: return "N1";
     case Theorem::n3: return "N3";
+    case Theorem::s1: return "S1";
+    case Theorem::s2: return "S2";
+    case Theorem::p0: return "P0";
+    case Theorem::p1: return "P1";
+    case Theorem::p2: return "P2";
   }
   throw InternalError("unknown theorem");
 }
 
 int Certificate::level() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return highest_level(leaves->leaves);
-  return highest_level(std::get<KnotProof>(proof).uniform_leaves);
+  if (const auto* asymptotic = std::get_if<AsymptoticProof>(&proof)) return asymptotic->limit_level;
+  if (const auto* cone = std::get_if<ConeProof>(&proof)) return cone->contraction.level;
+  const auto* knots = std::get_if<KnotProof>(&proof);
+  return knots ? highest_level(knots->uniform_leaves) : 0;
 }
 
 int Certificate::leaf_count() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return static_cast<int>(leaves->leaves.size());
-  const KnotProof& knots = std::get<KnotProof>(proof);
-  std::size_t count = knots.uniform_leaves.size();
-  for (const DominatedFactor& factor : knots.factors) count += factor.leaves.size() + factor.mirrored_leaves.size();
+  const auto* knots = std::get_if<KnotProof>(&proof);
+  if (!knots) return 1;
+  std::size_t count = knots->uniform_leaves.size();
+  for (const DominatedFactor& factor : knots->factors) count += factor.leaves.size() + factor.mirrored_leaves.size();
   return static_cast<int>(count);
 }
 
 std::string to_json(const Certificate& certificate) {
+  if (std::holds_alternative<MaskSequence>(certificate.definition)) return sequence_certificate_json(certificate);
   const Json json{{"format", "limes-certificate"},
                   {"version", 1},
                   {"scheme", scheme_to_json(certificate)},
@@ -176,7 +212,7 @@ std::string to_json(const Certificate& certificate) {
                   {"verdict", to_string(certificate.verdict)},
                   {"theorem", to_string(certificate.theorem)},
                   {"proof", proof_to_json(certificate)}};
-  return json.dump(1) + "\n";
+  return certificate_text(json);
 }
 
 }  // namespace limes

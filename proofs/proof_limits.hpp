@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/nonuniform/root_dominance.hpp"
+#include "analysis/spectral_radius/polytope_norm.hpp"
 #include "analysis/uniform/contractivity_bound.hpp"
 
 namespace limes {
@@ -10,6 +11,9 @@ struct ProofLimits {
   ContractivityLimits contractivity;
   /// The tests of Theorem N1 for one factor of a characteristic polynomial, and their boxes.
   RootDominanceOptions dominance;
+  /// Polytope norms: vectors, and the dimension of the sections.
+  PolytopeLimits polytope{.max_vectors = 400, .precision = 48};
+  int max_polytope_dimension = 20;
   /// Leaves of one proof.
   int max_leaves = 20000;
   /// Bisections of one leaf.

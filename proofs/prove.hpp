@@ -11,4 +11,7 @@ namespace limes {
 /// \pre claim.region has one interval per parameter. \throws InternalError when the checker rejects a certificate.
 Verdict prove(const Scheme& scheme, const Claim& claim, const ProofLimits& limits = {}, const Stop& stop = {});
 
+/// As prove(), but the opposite is not tried: certified or undecided.
+Verdict prove_as_stated(const Scheme& scheme, const Claim& claim, const ProofLimits& limits = {}, const Stop& stop = {});
+
 }  // namespace limes

@@ -145,6 +145,7 @@ RootDominance prove_root_dominance(const LambdaPolynomial& r, const Rational& rh
       continue;
     }
     if (const auto point = hopeless_point(tests, piece.box, sample)) {
+      result.hopeless_point = point;
       result.reason = "the method fails at the point " + to_text(*point) + ": no bisection helps";
       result.leaves.clear();
       return result;

@@ -23,6 +23,8 @@ struct RootDominance {
   std::vector<DominanceLeaf> leaves;
   /// A point of the box at which a root has modulus >= rho, exactly. Then nothing is proved.
   std::optional<std::vector<Rational>> counterexample;
+  /// A point of the closed box at which the methods cannot hold, exactly: no bisection helps.
+  std::optional<std::vector<Rational>> hopeless_point;
   /// When not proved: why, in words.
   std::string reason;
 

@@ -1,9 +1,15 @@
 #pragma once
 
+#include "analysis/nonuniform/dominance_comparison.hpp"
+#include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
+#include "proofs/map/map_unions.hpp"
 #include "proofs/verdict.hpp"
+#include "reports/tables/compare_table.hpp"
+#include "reports/unity/smoothness_cost.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/unity/optimise_weight.hpp"
 
 #include <string>
 #include <vector>
@@ -33,6 +39,44 @@ struct MatrixReport {
   /// Parameters, then gamma.
   VariableNames names;
   SplitCharacteristicPolynomial split;
+  /// At one knot ratio, if asked for.
+  std::vector<ComplexRoot> eigenvalues;
+};
+
+struct DominanceReport {
+  std::string scheme;
+  Claim claim;
+  std::string region;
+  /// Parameters, then gamma.
+  VariableNames names;
+  /// Why there is nothing to compare; empty otherwise.
+  std::string reason;
+  std::vector<FactorComparison> factors;
+};
+
+struct MapReport {
+  const Scheme& scheme;
+  const Claim& claim;
+  const ParameterMap& map;
+  const std::vector<MapUnion>& unions;
+  /// files[i][k]: the certificate of part k of union i.
+  std::vector<std::vector<std::string>> files;
+};
+
+struct DeriveReport {
+  std::string weight;
+  DerivedMask derived = {};
+  Rational even_sum = {}, odd_sum = {};
+  int sum_rule_order = 0;
+  /// Of --optimise.
+  std::string parameter = {};
+  std::optional<OptimalParameter> optimum = {};
+  /// Of --round.
+  std::string rounding = {};
+  std::optional<std::vector<Rational>> rounded = {};
+  double rounded_error = 0;
+  /// Of --cost.
+  std::vector<SmoothnessCost> costs = {};
 };
 
 struct OutputFile {
@@ -44,8 +88,12 @@ std::string list_json(const std::vector<Scheme>& schemes);
 std::string show_json(const Scheme& scheme);
 std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
+std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
+std::string dominance_json(const std::vector<DominanceReport>& reports);
+std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
+std::string tables_json(const std::vector<ComparedTable>& tables);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

@@ -34,20 +34,36 @@ std::vector<Scheme> load_schemes(const VerifyOptions& options) {
   return schemes;
 }
 
+/// A claim about a space needs a nonstationary scheme, and functions of the type asked for.
+void check_kind(const Scheme& scheme, const Claim& claim) {
+  if (!claim.space) return;
+  if (!scheme.sequence) {
+    throw InputError(fmt::format("--claim {}: {} is not a nonstationary scheme", statement(claim), scheme.name));
+  }
+  for (const ExponentialFunction& f : claim.space->functions) {
+    if (fits(f, claim.type)) continue;
+    throw InputError(fmt::format("--claim {}: {} does not belong to the {} type (see --param type=...)", statement(claim), to_string(f),
+                                 to_string(claim.type)));
+  }
+}
+
 /// The claims to decide: the file's own; or --claim on the region that --param gives; or, with --param alone, the file's certified claims that
 /// cover that region, restated on it.
 std::vector<Claim> claims_to_decide(const Scheme& scheme, const VerifyOptions& options) {
   if (!options.claim && options.parameters.empty()) return scheme.claims;
   const Box region = region_from_settings(scheme, options.parameters);
+  const AngleType type = scheme.sequence ? type_from_settings(scheme, options.parameters) : AngleType::trigonometric;
   std::vector<Claim> claims;
   if (options.claim) {
     claims.push_back(read_statement(*options.claim));
     claims.back().region = region;
+    claims.back().type = type;
+    check_kind(scheme, claims.back());
     return claims;
   }
   std::set<std::string> stated;
   for (Claim claim : scheme.claims) {
-    if (claim.expected != Outcome::certified || !contains(claim.region, region) || !stated.insert(statement(claim)).second) continue;
+    if (claim.expected != Outcome::certified || !contains(claim.region, region) || claim.type != type || !stated.insert(statement(claim)).second) continue;
     claim.region = region;
     claims.push_back(claim);
   }
@@ -60,6 +76,8 @@ std::vector<Claim> claims_to_decide(const Scheme& scheme, const VerifyOptions& o
 /// "four-point.2.C1.json" for the file's second claim, "four-point.asked.1.C1.json" for the first one of the command line.
 std::string certificate_name(const Scheme& scheme, const Claim& claim, std::size_t index, bool asked) {
   std::string claim_text = statement(claim);
+  // "reproduces {1, y^2}" becomes reproduces-1-y2.
+  std::erase_if(claim_text, [](char c) { return std::string_view("{},()^").find(c) != std::string_view::npos; });
   std::replace(claim_text.begin(), claim_text.end(), ' ', '-');
   return fmt::format("{}.{}{}.{}.json", scheme.name, asked ? "asked." : "", index + 1, claim_text);
 }
@@ -78,7 +96,7 @@ class Verification {
         files_.push_back(options.certificates / certificate_name(scheme, claims[k], k, asked));
         table_.fit(0, scheme.name);
         table_.fit(1, statement(claims[k]));
-        table_.fit(2, region_text(scheme, claims[k].region));
+        table_.fit(2, region_text(scheme, claims[k]));
       }
     }
     done_.assign(results_.size(), false);
@@ -139,7 +157,7 @@ class Verification {
       if (options_.quiet && expected) continue;
       progress_.clear();
       const int level = result.verdict.level();
-      std::string row = table_.row({result.scheme->name, statement(result.claim), region_text(*result.scheme, result.claim.region),
+      std::string row = table_.row({result.scheme->name, statement(result.claim), region_text(*result.scheme, result.claim),
                                     to_string(result.verdict.outcome), level ? fmt::format("{}", level) : "-",
                                     result.verdict.certificate ? fmt::format("{}", result.verdict.leaf_count()) : "-",
                                     fmt::format("{:.2f} s", result.seconds)});

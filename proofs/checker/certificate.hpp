@@ -20,14 +20,15 @@ struct Scheme {
   Polynomial denominator;
 };
 
-/// One piece of a proof: a part of the region and the witness for it (a level for U1; a word, or none, for U2; a ratio
-/// of knot intervals for N3).
+/// One piece of a proof: a part of the region and the witness for it (a level or a polytope for U1; a word, or none,
+/// for U2; a ratio of knot intervals for N3).
 struct Leaf {
   Region region;
   int level = 0;
   bool missing_factor = false;
   std::vector<int> word;
   mpq_class gamma = 0;
+  const nlohmann::json* polytope = nullptr;  ///< in the certificate, which outlives this
 };
 
 /// f = sum_s coefficients[s] lambda^s, variables: the parameters, then gamma.
@@ -86,9 +87,12 @@ struct LocalScheme {
 /// \throws Rejected at "denominator" when D has no proven strict sign on the leaf
 LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf, Budget& budget);
 
-/// Theorem U1 (C^m) and theorem U2 (not C^m) on a leaf: an estimate of the work in nanoseconds, and the proof.
-double u1_work(const LocalScheme& scheme, int level);
-void prove_u1(const LocalScheme& scheme, int level);
+/// Theorem U1 (C^m) and theorem U2 (not C^m) on a leaf: an estimate of the work in nanoseconds, and the proof. U1 asks for
+/// sum and factor of the symbol, and for a contraction, shown by the norm of a level or by a polytope.
+void prove_symbol(const LocalScheme& scheme);
+double norm_work(const LocalScheme& scheme, int level);
+void prove_norm(const LocalScheme& scheme, int level);
+void prove_polytope_leaf(const LocalScheme& scheme, const nlohmann::json& polytope, Budget& budget);
 double u2_work(const LocalScheme& scheme, const Leaf& leaf);
 void prove_u2(const LocalScheme& scheme, bool interpolatory, const Leaf& leaf, Budget& budget);
 

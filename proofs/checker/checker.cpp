@@ -82,14 +82,16 @@ void prove_leaves(const Certificate& certificate, Budget& budget) {
   };
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     const LocalScheme local = localize(leaf);
-    budget.work(smooth ? u1_work(local, leaf.level) : u2_work(local, leaf));
+    budget.work(leaf.polytope ? 0 : smooth ? norm_work(local, leaf.level) : u2_work(local, leaf));
   });
   for_each_leaf(certificate, [&](const Leaf& leaf) {
     const LocalScheme local = localize(leaf);
-    if (smooth)
-      prove_u1(local, leaf.level);
+    if (!smooth) return prove_u2(local, certificate.interpolatory, leaf, budget);
+    prove_symbol(local);
+    if (leaf.polytope)
+      prove_polytope_leaf(local, *leaf.polytope, budget);
     else
-      prove_u2(local, certificate.interpolatory, leaf, budget);
+      prove_norm(local, leaf.level);
   });
 }
 
@@ -99,6 +101,12 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"U2", check_smoothness},
     {"N1", check_smoothness},
     {"N3", check_smoothness},
+    {"S1", check_s1},
+    {"S2", check_s2},
+    {"P0", check_p0},
+    {"P1", check_p1},
+    {"P2", check_p2},
+    {"B1", check_biorthogonality},
 };
 
 std::string prove(std::string_view text) {

@@ -96,10 +96,13 @@ void read_scheme(const Json& json, Certificate& certificate, Budget& budget) {
 Leaf read_leaf(const Json& json, const std::string& where, const Certificate& certificate, Budget& budget) {
   const bool smooth = certificate.proves_smoothness();
   const bool missing = !smooth && json.is_object() && json.contains("missing_factor");
-  const char* witness = smooth ? "level" : missing ? "missing_factor" : "word";
+  const bool polytope = smooth && json.is_object() && json.contains("polytope");
+  const char* witness = polytope ? "polytope" : smooth ? "level" : missing ? "missing_factor" : "word";
   const Reader reader(json, "proof", where, {"region", witness});
-  Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, missing, {}, 0};
-  if (smooth) {
+  Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, missing, {}, 0, nullptr};
+  if (polytope) {
+    leaf.polytope = &reader.at("polytope");
+  } else if (smooth) {
     leaf.level = reader.integer(reader.at("level"), "level", 1, 24);
   } else if (missing) {
     if (reader.at("missing_factor") != true) reader.fail("needs true as missing_factor");
@@ -207,7 +210,7 @@ void read_n1(const Json& json, Certificate& certificate, Budget& budget) {
 void read_n3(const Json& json, Certificate& certificate, Budget& budget) {
   const auto read = [&](const Json& one, const std::string& where) {
     const Reader reader(one, "proof", where, {"region", "gamma"});
-    Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, false, {}, 0};
+    Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, false, {}, 0, nullptr};
     const std::string& gamma = reader.text(reader.at("gamma"), "gamma");
     budget.work(1000 + 2. * static_cast<double>(gamma.size() * gamma.size()));
     leaf.gamma = read_rational(gamma, "proof");

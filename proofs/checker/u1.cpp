@@ -10,7 +10,7 @@
 
 namespace limes::checker {
 
-double u1_work(const LocalScheme& scheme, int level) {
+double norm_work(const LocalScheme& scheme, int level) {
   if (!scheme.has_factor || scheme.quotient.count() == 0) return 0;  // the proof fails before it works
   const Bernstein& b = scheme.quotient;
   mpz_class sum = 1;
@@ -28,7 +28,7 @@ double u1_work(const LocalScheme& scheme, int level) {
   return work + entries * (100 + size);
 }
 
-void prove_u1(const LocalScheme& scheme, int level) {
+void prove_symbol(const LocalScheme& scheme) {
   for (std::size_t i = 0, stride = scheme.mask.size(); i < stride; ++i) {
     mpz_class sum = 0;
     for (std::size_t j = 0; j < scheme.mask.count(); ++j) sum += scheme.mask.coefficients[j * stride + i];
@@ -36,7 +36,9 @@ void prove_u1(const LocalScheme& scheme, int level) {
       throw Rejected{"sum", "the mask does not sum to the arity"};
   }
   if (!scheme.has_factor) throw Rejected{"factor", "sigma^(m+1) does not divide the symbol"};
+}
 
+void prove_norm(const LocalScheme& scheme, int level) {
   Bernstein iterated = scheme.quotient;  // B^{[k+1]}(z) = B(z) B^{[k]}(z^p)
   for (int k = 1; k < level; ++k)
     iterated = convolve(scheme.quotient, iterated, static_cast<std::size_t>(scheme.arity));

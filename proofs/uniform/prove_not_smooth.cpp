@@ -49,47 +49,6 @@ ProofAttempt prove_at_point(const Mask& mask, int m, const Box& region, const Pr
   return attempt;
 }
 
-/// The rational zeros that all polynomials share, when exactly one parameter is free.
-std::vector<Rational> common_rational_zeros(const std::vector<MultivariatePolynomial>& polynomials, const Box& region) {
-  int free_axis = -1;
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    if (region[k].is_point()) continue;
-    if (free_axis >= 0) return {};
-    free_axis = static_cast<int>(k);
-  }
-  Polynomial common;
-  for (const MultivariatePolynomial& p : polynomials) common = gcd(common, p.univariate(free_axis));
-  if (common.degree() < 1) return {};
-  std::vector<Rational> zeros;
-  for (const RootInterval& root : isolate_real_roots(common, Rational(1) / 1000000)) {
-    const Rational candidate = simplest_between(root.lower, root.upper);
-    if (common(candidate) == 0 && region[free_axis].contains(candidate)) zeros.push_back(candidate);
-  }
-  return zeros;
-}
-
-/// The region cut at the given values of its one free parameter: open pieces between closed points.
-std::vector<Box> cut_at(const Box& region, const std::vector<Rational>& values) {
-  std::size_t axis = 0;
-  while (axis < region.size() && region[axis].is_point()) ++axis;
-  std::vector<Box> pieces;
-  Interval rest = region[axis];
-  const auto add = [&](const Interval& interval) {
-    pieces.push_back(region);
-    pieces.back()[axis] = interval;
-  };
-  bool rest_is_empty = false;
-  for (const Rational& value : values) {
-    if (value > rest.lower) add({rest.lower, value, rest.lower_open, true});
-    add(Interval::point(value));
-    rest_is_empty = value == rest.upper;
-    rest.lower = value;
-    rest.lower_open = true;
-  }
-  if (!rest_is_empty) add(rest);
-  return pieces;
-}
-
 class RegionProver {
  public:
   RegionProver(const Mask& mask, int m, const Box& region, const ProofLimits& limits, const Stop& stop)
@@ -240,6 +199,45 @@ class RegionProver {
 };
 
 }  // namespace
+
+std::vector<Rational> common_rational_zeros(const std::vector<MultivariatePolynomial>& polynomials, const Box& region) {
+  int free_axis = -1;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    if (region[k].is_point()) continue;
+    if (free_axis >= 0) return {};
+    free_axis = static_cast<int>(k);
+  }
+  Polynomial common;
+  for (const MultivariatePolynomial& p : polynomials) common = gcd(common, p.univariate(free_axis));
+  if (common.degree() < 1) return {};
+  std::vector<Rational> zeros;
+  for (const RootInterval& root : isolate_real_roots(common, Rational(1) / 1000000)) {
+    const Rational candidate = simplest_between(root.lower, root.upper);
+    if (common(candidate) == 0 && region[free_axis].contains(candidate)) zeros.push_back(candidate);
+  }
+  return zeros;
+}
+
+std::vector<Box> cut_at(const Box& region, const std::vector<Rational>& values) {
+  std::size_t axis = 0;
+  while (axis < region.size() && region[axis].is_point()) ++axis;
+  std::vector<Box> pieces;
+  Interval rest = region[axis];
+  const auto add = [&](const Interval& interval) {
+    pieces.push_back(region);
+    pieces.back()[axis] = interval;
+  };
+  bool rest_is_empty = false;
+  for (const Rational& value : values) {
+    if (value > rest.lower) add({rest.lower, value, rest.lower_open, true});
+    add(Interval::point(value));
+    rest_is_empty = value == rest.upper;
+    rest.lower = value;
+    rest.lower_open = true;
+  }
+  if (!rest_is_empty) add(rest);
+  return pieces;
+}
 
 ProofAttempt prove_not_smooth(const Mask& mask, int m, const Box& region, const ProofLimits& limits, const Stop& stop) {
   if (is_point(region)) return prove_at_point(mask, m, region, limits, stop);

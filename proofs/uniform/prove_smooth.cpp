@@ -1,23 +1,13 @@
-// Theorem U1 on a region: bisection, with a level of its own on every leaf.
+// Theorem U1 on a region: bisection, with a level or a polytope of its own on every leaf.
 
 #include "analysis/uniform/difference_symbol.hpp"
+#include "proofs/uniform/contraction_prover.hpp"
 #include "proofs/uniform/smoothness_proof.hpp"
-
-#include "algebra/error.hpp"
 
 #include <fmt/format.h>
 
 namespace limes {
 namespace {
-
-/// The least level at which the norm at the point seems to be below 1; nothing when no level within the limits does.
-std::optional<int> approx_level(const LaurentPolynomial& b, int arity, std::span<const Rational> point,
-                                const ContractivityLimits& limits) {
-  constexpr double enough = 1 - 1e-10;
-  const std::vector<double> norms = approx_contractivity_norms(b, arity, point, limits.max_level, enough);
-  if (norms.back() >= enough) return std::nullopt;
-  return static_cast<int>(norms.size());
-}
 
 struct Task {
   Box box;
@@ -69,32 +59,22 @@ ProofAttempt prove_smooth(const Mask& mask, int m, const Box& region, const Proo
   const std::optional<LaurentPolynomial> b = difference_symbol(scheme, m + 1);
   if (!b) return fail(fmt::format("the symbol has no factor sigma^{}", m + 1));
 
+  const ContractionProver prover(*b, denominator, scheme.arity, limits, stop);
   std::vector<Task> tasks{{region, 0}};
   while (!tasks.empty()) {
     stop.check();
     const Task task = std::move(tasks.back());
     tasks.pop_back();
-    int level = 1;
-    for (const std::vector<Rational>& point : sample_points(task.box)) {
-      const std::optional<int> own = approx_level(*b, scheme.arity, point, limits.contractivity);
-      if (!own) {
-        return fail(fmt::format("no norm ||S_b^l|| with l <= {} seems to be below 1", limits.contractivity.max_level), point);
-      }
-      level = std::max(level, *own);
-    }
-    bool proved = false;
-    try {
-      proved = ContractivityBound(*b, denominator, scheme.arity, task.box).proves_contraction(level, limits.contractivity, stop);
-    } catch (const LimitError& error) {
-      return fail(error.reason(), midpoint(task.box));
-    }
-    if (proved) {
-      attempt.leaves.push_back({task.box, ContractionWitness{level}});
+    ContractionProver::Attempt leaf = prover.attempt(task.box);
+    if (leaf.witness) {
+      ProofLeaf& proved = attempt.leaves.emplace_back(ProofLeaf{task.box, {}});
+      std::visit([&](auto& witness) { proved.witness = std::move(witness); }, *leaf.witness);
       continue;
     }
+    if (leaf.failing_point) return fail(std::move(leaf.reason), std::move(leaf.failing_point));
     const int axis = widest_axis(task.box, region);
     if (axis < 0 || task.depth == limits.max_depth) {
-      return fail(fmt::format("the bound of ||S_b^{}|| is not below 1", level), midpoint(task.box));
+      return fail(std::move(leaf.reason), midpoint(task.box));
     }
     if (static_cast<int>(attempt.leaves.size() + tasks.size()) >= limits.max_leaves) {
       return fail(fmt::format("more than {} leaves would be needed", limits.max_leaves), midpoint(task.box));

@@ -41,4 +41,10 @@ ProofAttempt prove_not_smooth(const Mask& mask, int m, const Box& region, const 
 /// A few parameter values of the region: the midpoint first, then the corners that belong to it.
 std::vector<std::vector<Rational>> sample_points(const Box& region);
 
+/// The rational zeros in the region that all polynomials share, ascending, when exactly one parameter is free; otherwise none.
+std::vector<Rational> common_rational_zeros(const std::vector<MultivariatePolynomial>& polynomials, const Box& region);
+
+/// The region cut at ascending values of its one free parameter: open pieces between closed points.
+std::vector<Box> cut_at(const Box& region, const std::vector<Rational>& values);
+
 }  // namespace limes

@@ -106,11 +106,14 @@ with tempfile.TemporaryDirectory() as directory:
     for name, text in (("one", ONE_SIDED), ("two", BY_COEFFICIENTS)):
         pathlib.Path(directory, name + ".toml").write_text(text)
     subprocess.run([limes, "verify", "four-point", "cr1", "a1-3-1", directory + "/one.toml", directory + "/two.toml",
-                    "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+                    "unified-curve", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    for claim in ("reproduces {1, y^2}", "does not reproduce {y}"):
+        subprocess.run([limes, "verify", "unified-curve", "--claim", claim, "--certificates", directory, "--quiet"], check=False,
+                       stdout=subprocess.DEVNULL)
     for path in pathlib.Path(directory).glob("*.json"):
         certificates[path.name] = json.loads(path.read_text())
 
-assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3"}
+assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2"}
 assert any("mirrored" in c["proof"] for c in certificates.values())
 assert any("coefficients" in c["scheme"] for c in certificates.values())
 for name, certificate in certificates.items():
@@ -140,7 +143,7 @@ for name, certificate in certificates.items():
             target[own] = kept
         target["more"] = 1
         assert not is_valid(changed), f"{name} with one more key in {path} fits the schema"
-    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3"):
+    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2"):
         for verdict in ("certified", "refuted", "undecided"):
             if (theorem, verdict) == (certificate["theorem"], certificate["verdict"]):
                 continue

@@ -1,0 +1,64 @@
+// A floating-point oracle for symmetric hulls, on GLPK. Included by sources only.
+#pragma once
+
+#include "analysis/spectral_radius/eigen_impl.hpp"
+
+#include <complex>
+#include <memory>
+
+namespace limes {
+
+/// c v_j, or c conj(v_j).
+struct ApproxTerm {
+  int index = 0;
+  bool conjugate = false;
+  std::complex<double> c;
+};
+
+/// x = sum of terms, approximately.
+struct ApproxCombination {
+  double norm = 0;  // sum |c_j|; infinity when no combination was found
+  std::vector<ApproxTerm> terms;
+};
+
+/// The hull of +-v_1 .. +-v_M in R^n, growing; or, complex, that of all z v_j and z conj(v_j), |z| = 1, in C^n, where vectors are real
+/// ones of length 2n: real parts, then imaginary parts. Answers are hints: whoever uses them checks them exactly.
+class HullOracle {
+ public:
+  HullOracle(int n, bool complex);
+  ~HullOracle();
+  HullOracle(const HullOracle&) = delete;
+  HullOracle& operator=(const HullOracle&) = delete;
+
+  std::size_t size() const { return vectors_.size(); }
+  const Eigen::VectorXd& vector(std::size_t j) const { return vectors_[j]; }
+  void add(const Eigen::VectorXd& v);
+  /// A combination of about the least norm; the search ends with a norm <= `enough`, or once it is seen to be above.
+  ApproxCombination combine(const Eigen::VectorXd& x, double enough);
+  /// Adds to the coefficients what represents x, by least squares.
+  void correct(ApproxCombination& combination, const Eigen::VectorXd& x) const;
+
+ private:
+  struct Program;
+  struct Column {
+    int index;
+    bool conjugate;
+    std::complex<double> direction;
+  };
+  void rebuild();
+  void append_directions(int index);
+  void append(const Column& column);
+  bool solve();
+  bool append_violated(double value, double enough);
+  Eigen::VectorXd column_vector(const Column& column) const;
+
+  int dimension_;
+  bool complex_;
+  std::vector<Eigen::VectorXd> vectors_;
+  std::vector<Column> columns_;
+  Eigen::MatrixXd whitening_;  // coordinates in which the hull is round: the program's tolerances are absolute
+  std::size_t next_rebuild_;
+  std::unique_ptr<Program> program_;
+};
+
+}  // namespace limes

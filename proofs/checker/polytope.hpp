@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "proofs/checker/interval.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace limes::checker {
+
+/// A dense matrix over Q, square where nothing else is said.
+struct RationalMatrix {
+  std::size_t rows = 0, columns = 0;
+  std::vector<mpq_class> entries;  ///< row by row
+  RationalMatrix() = default;
+  RationalMatrix(std::size_t n, std::size_t m) : rows(n), columns(m), entries(n * m) {}
+  mpq_class& at(std::size_t i, std::size_t j) { return entries[i * columns + j]; }
+  const mpq_class& at(std::size_t i, std::size_t j) const { return entries[i * columns + j]; }
+};
+
+/// x += y z, after the budget was charged for it.
+void add_product(mpq_class& x, const mpq_class& y, const mpq_class& z, Budget& budget);
+RationalMatrix product(const RationalMatrix& a, const RationalMatrix& b, Budget& budget);
+/// A list of lists of rationals, all of one length. \throws Rejected at `step`
+RationalMatrix read_matrix(const nlohmann::json& json, const std::string& step, const std::string& what, Budget& budget);
+
+/// Diagonal blocks of T^{-1} B_e T, which is verified to be block upper triangular.
+struct Blocks {
+  std::vector<std::vector<RationalMatrix>> families;
+};
+/// \param json null for one block, or {"basis": T, "inverse": T^{-1}, "sizes": [...]}. \throws Rejected at "blocks"
+Blocks diagonal_blocks(const std::vector<RationalMatrix>& family, const nlohmann::json& json, Budget& budget);
+
+/// Proves ||B_e x|| <= bound ||x|| for a norm whose unit ball is a polytope, for every matrix of a family of one block; with
+/// the norm of docs/certificate.md, "Polytope norms". \throws Rejected at "polytope"
+void prove_polytope(const std::vector<RationalMatrix>& family, const mpq_class& bound, const nlohmann::json& polytope,
+                    Budget& budget);
+
+/// The joint spectral radius of the family is at most `bound`: {"form": null or as above, "blocks": [a polytope each]}. For
+/// matrices affine in parameters on a box, the family of the matrices at all corners proves it on the whole box.
+void prove_polytope_norm(const std::vector<RationalMatrix>& family, const mpq_class& bound, const nlohmann::json& norm,
+                         Budget& budget);
+
+}  // namespace limes::checker

@@ -1,0 +1,17 @@
+// The JSON form of polytope norms (docs/certificate.md, "Polytope norms"). Included by sources only.
+#pragma once
+
+#include "analysis/spectral_radius/polytope_norm.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace limes {
+
+nlohmann::ordered_json matrix_to_json(const RationalMatrix& a);
+/// null for one block.
+nlohmann::ordered_json form_to_json(const BlockTriangularForm& form);
+nlohmann::ordered_json polytope_to_json(const Polytope& polytope);
+/// {"form", "blocks"}; the bound is not part of it.
+nlohmann::ordered_json norm_to_json(const PolytopeNorm& norm);
+
+}  // namespace limes

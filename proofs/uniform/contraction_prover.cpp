@@ -1,0 +1,88 @@
+#include "proofs/uniform/contraction_prover.hpp"
+
+#include "algebra/error.hpp"
+#include "analysis/spectral_radius/leading_words.hpp"
+#include "analysis/uniform/section_hull.hpp"
+#include "proofs/uniform/smoothness_proof.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace limes {
+namespace {
+
+constexpr double enough = 1 - 1e-10;
+
+double approx_radius(const MatrixFamily& family, const Stop& stop) {
+  return approx_leading_words(family, {10, 40}, 1e-9, stop).front().radius;
+}
+
+Box point_box(const std::vector<Rational>& point) {
+  Box box;
+  for (const Rational& x : point) box.push_back(Interval::point(x));
+  return box;
+}
+
+}  // namespace
+
+ContractionProver::Attempt ContractionProver::attempt(const Box& box) const {
+  std::optional<int> level = 1;
+  std::vector<std::vector<Rational>> resisting;
+  for (const std::vector<Rational>& point : sample_points(box)) {
+    const std::optional<int> own = approx_level(point);
+    level = own && level ? std::optional(std::max(*level, *own)) : std::nullopt;
+    if (own) continue;
+    resisting.push_back(point);
+    const std::optional<MatrixFamily> sections = section_hull(b_, denominator_, arity_, point_box(point));
+    if (sections && approx_radius(*sections, stop_) >= enough) {
+      return {{}, fmt::format("no norm ||S_b^l|| with l <= {} seems to be below 1", limits_.contractivity.max_level), point};
+    }
+  }
+  const bool cheap = level && is_cheap(*level, box);
+  if (cheap && proves_norm(*level, box)) return {ContractionWitness{*level}, {}, {}};
+  if (std::optional<PolytopeWitness> polytope = find_polytope_on(box)) return {std::move(*polytope), {}, {}};
+  if (level && !cheap && proves_norm(*level, box)) return {ContractionWitness{*level}, {}, {}};
+  for (const std::vector<Rational>& point : resisting) {
+    if (is_point(box) || !find_polytope_on(point_box(point))) {
+      return {{}, fmt::format("no norm ||S_b^l|| with l <= {} and no polytope with at most {} vectors is found to show a contraction",
+                              limits_.contractivity.max_level, limits_.polytope.max_vectors), point};
+    }
+  }
+  return {{}, level ? fmt::format("the bound of ||S_b^{}|| is not below 1", *level) : "no polytope is found", {}};
+}
+
+/// The least level at which the norm at the point seems to be below 1; nothing when no level within the limits does.
+std::optional<int> ContractionProver::approx_level(const std::vector<Rational>& point) const {
+  const std::vector<double> norms = approx_contractivity_norms(b_, arity_, point, limits_.contractivity.max_level, enough);
+  if (norms.back() >= enough) return std::nullopt;
+  return static_cast<int>(norms.size());
+}
+
+bool ContractionProver::is_cheap(int level, const Box& box) const {
+  // Multiplications of level l: coefficients in z, those of the parameters, length of b.
+  double work = std::pow(arity_, level) * b_.length() * b_.length();
+  for (const Interval& interval : box) work *= interval.is_point() ? 1 : level + 1;
+  return work <= 1e6;
+}
+
+bool ContractionProver::proves_norm(int level, const Box& box) const {
+  try {
+    return ContractivityBound(b_, denominator_, arity_, box).proves_contraction(level, limits_.contractivity, stop_);
+  } catch (const LimitError&) {
+    return false;
+  }
+}
+
+std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& box) const {
+  const std::optional<MatrixFamily> sections = section_hull(b_, denominator_, arity_, box);
+  if (!sections || sections->front().rows() > limits_.max_polytope_dimension || approx_radius(*sections, stop_) >= enough) {
+    return std::nullopt;
+  }
+  static const Rational bound = 1 - power(Rational(2), -20);
+  std::optional<PolytopeNorm> norm = find_polytope(*sections, bound, limits_.polytope, stop_);
+  if (!norm) return std::nullopt;
+  return PolytopeWitness{std::move(*norm)};
+}
+
+}  // namespace limes

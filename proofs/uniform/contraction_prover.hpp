@@ -1,0 +1,44 @@
+#pragma once
+
+#include "algebra/stop.hpp"
+#include "analysis/spectral_radius/polytope_norm.hpp"
+#include "proofs/certificate.hpp"
+#include "proofs/proof_limits.hpp"
+
+#include <optional>
+#include <string>
+
+namespace limes {
+
+/// Proves on boxes that the difference scheme S_b of a mask contracts: by the norm of a low level, which is cheap, else by a
+/// polytope, which reaches closer to the boundary of the contractive range, else by the norm of a high level.
+class ContractionProver {
+ public:
+  /// \param denominator D, a common denominator of b
+  ContractionProver(const LaurentPolynomial& b, const MultivariatePolynomial& denominator, int arity, const ProofLimits& limits,
+                    const Stop& stop)
+      : b_(b), denominator_(denominator), arity_(arity), limits_(limits), stop_(stop) {}
+
+  struct Attempt {
+    std::optional<std::variant<ContractionWitness, PolytopeWitness>> witness;
+    /// Why there is none.
+    std::string reason;
+    /// A point of the box at which S_b seems not to contract, or resists by itself: smaller boxes will not help.
+    std::optional<std::vector<Rational>> failing_point;
+  };
+  Attempt attempt(const Box& box) const;
+
+ private:
+  std::optional<int> approx_level(const std::vector<Rational>& point) const;
+  bool proves_norm(int level, const Box& box) const;
+  std::optional<PolytopeWitness> find_polytope_on(const Box& box) const;
+  bool is_cheap(int level, const Box& box) const;
+
+  const LaurentPolynomial& b_;
+  const MultivariatePolynomial& denominator_;
+  int arity_;
+  const ProofLimits& limits_;
+  const Stop& stop_;
+};
+
+}  // namespace limes

@@ -1,0 +1,117 @@
+#include "tests/checker/certificates.hpp"
+
+// U1 leaves with a polytope norm. With no vectors at all the ball is that of the 1-norm, and the bound is the greatest absolute
+// column sum of the sections.
+
+namespace limes::test {
+namespace {
+
+const Json no_terms = Json::array();
+
+/// The 1-norm in `dimension` dimensions for so many matrices.
+Json one_norm(const std::string& bound, std::size_t dimension, std::size_t matrices) {
+  const Json images(matrices, Json(dimension, no_terms));
+  const Json block{{"vectors", Json::array()}, {"unit", "1"}, {"images", images}};
+  return {{"bound", bound}, {"norm", {{"form", nullptr}, {"blocks", Json::array({block})}}}};
+}
+
+Json by_polytope(const Claim& claim, const Json& polytope) {
+  return certificate(claim, "certified", "U1", {{"leaves", {{{"region", claim.region}, {"polytope", polytope}}}}});
+}
+
+void expect_invalid(const Json& json, const std::string& step) {
+  const auto result = check(json);
+  EXPECT_FALSE(result.valid) << json.dump();
+  EXPECT_EQ(result.step, step) << result.reason;
+}
+
+const Claim chaikin{{}, {"1/4", "3/4", "3/4", "1/4"}, "C1"};
+
+// 2 a / (1+z)^2 = -2w + 4w z + (1 - 4w) z^2 + 4w z^3 - 2w z^4: for w in [1/100, 1/25] the columns of the 4 x 4 sections sum to
+// less than 1.
+Claim four_point(const std::string& w) {
+  return {{"w"}, {"-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"}, "C1", {{"w", w}}};
+}
+
+TEST(PolytopeLeaf, NormsOfSectionsWithAndWithoutParameters) {
+  expect_valid(by_polytope(chaikin, one_norm("1/2", 1, 2)));
+  expect_valid(by_polytope(four_point("1/16"), one_norm("3/4", 4, 2)));
+  // Two Bernstein coefficients times two sections.
+  expect_valid(by_polytope(four_point("[1/100, 1/25]"), one_norm("24/25", 4, 4)));
+}
+
+TEST(PolytopeLeaf, WithADenominator) {
+  // The same scheme with w = 1/v.
+  const Claim claim{{"v"}, {"-1/v", "0", "1/2+1/v", "1", "1/2+1/v", "0", "-1/v"}, "C1", {{"v", "[25, 100]"}}};
+  expect_valid(by_polytope(claim, one_norm("24/25", 4, 4)));
+  Claim negative = claim;
+  for (std::string& entry : negative.mask) {
+    for (std::size_t at = 0; (at = entry.find("1/v", at)) != std::string::npos; at += 6) entry.replace(at, 3, "(-1/v)");
+  }
+  negative.region = {{"v", "[-100, -25]"}};
+  expect_valid(by_polytope(negative, one_norm("24/25", 4, 4)));
+  // D = v vanishes at an end that does not belong to the leaf: no convex combination there.
+  Claim open = claim;
+  open.region = {{"v", "(0, 100]"}};
+  expect_invalid(by_polytope(open, one_norm("24/25", 4, 4)), "denominator");
+}
+
+TEST(PolytopeLeaf, TheBoundIsBelowOneAndHolds) {
+  expect_invalid(by_polytope(chaikin, one_norm("1", 1, 2)), "polytope");
+  expect_invalid(by_polytope(chaikin, one_norm("3/2", 1, 2)), "polytope");
+  expect_invalid(by_polytope(chaikin, one_norm("49/100", 1, 2)), "polytope");
+  expect_invalid(by_polytope(chaikin, one_norm("-1", 1, 2)), "polytope");
+  expect_invalid(by_polytope(four_point("[1/100, 1/4]"), one_norm("24/25", 4, 4)), "polytope");
+  // An open end is no way out: there the norm is 1.
+  expect_invalid(by_polytope(four_point("(0, 1/25]"), one_norm("999999/1000000", 4, 4)), "polytope");
+}
+
+TEST(PolytopeLeaf, EveryMatrixTakesPart) {
+  for (const std::size_t matrices : {0u, 1u, 2u, 3u, 5u}) {
+    EXPECT_FALSE(check(by_polytope(four_point("[1/100, 1/25]"), one_norm("24/25", 4, matrices))).valid) << matrices;
+  }
+  for (const std::size_t dimension : {0u, 1u, 3u, 5u}) {
+    EXPECT_FALSE(check(by_polytope(four_point("[1/100, 1/25]"), one_norm("24/25", dimension, 4))).valid) << dimension;
+  }
+}
+
+TEST(PolytopeLeaf, TheSymbolIsCheckedAsForALevel) {
+  // a(1) = 9/5 * 2, and b = 9/10 (1 + z) for m = 0 has sections 9/10; without the sum it would pass.
+  const Claim sum{{}, {"9/10", "9/5", "9/10"}, "C0"};
+  expect_invalid(by_polytope(sum, one_norm("9/10", 1, 2)), "sum");
+  Claim factor = chaikin;
+  factor.statement = "C3";
+  expect_invalid(by_polytope(factor, one_norm("1/2", 1, 2)), "factor");
+}
+
+TEST(PolytopeLeaf, ItsForm) {
+  const Json good = one_norm("1/2", 1, 2);
+  for (const char* key : {"bound", "norm"}) {
+    Json bad = good;
+    bad.erase(key);
+    expect_invalid(by_polytope(chaikin, bad), "proof");
+  }
+  Json more = good;
+  more["level"] = 1;
+  expect_invalid(by_polytope(chaikin, more), "proof");
+  for (const Json& value : {Json(nullptr), Json(0.5), Json("x"), Json("1/0"), Json(Json::array()), Json(Json::object())}) {
+    Json bad = good;
+    bad["bound"] = value;
+    expect_invalid(by_polytope(chaikin, bad), "proof");
+    bad = good;
+    bad["norm"] = value;
+    EXPECT_FALSE(check(by_polytope(chaikin, bad)).valid);
+    EXPECT_FALSE(check(by_polytope(chaikin, value)).valid);
+  }
+  // A leaf has one witness, and words of U2 have no polytope.
+  Json both = by_polytope(chaikin, good);
+  both["proof"]["leaves"][0]["level"] = 1;
+  expect_invalid(both, "proof");
+  Json rough_by_polytope = rough({{}, {"1/4", "3/4", "3/4", "1/4"}, "not C2"}, "linear-independence", {0});
+  rough_by_polytope["proof"]["leaves"][0].erase("word");
+  rough_by_polytope["proof"]["leaves"][0]["polytope"] = good;
+  expect_invalid(rough_by_polytope, "proof");
+}
+
+}  // namespace
+}  // namespace limes::test

@@ -148,8 +148,12 @@ std::string describe_proof(const Certificate& certificate) {
   }
   if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
     const ProofLeaf& leaf = leaves->leaves.front();
-    if (certificate.verdict != Outcome::refuted || certificate.parameters.empty()) return describe_leaf(leaf, m);
-    return fmt::format("at {}: {}", describe_point(midpoint(leaf.region), certificate.parameters), describe_leaf(leaf, m));
+    // Of a rule for all knots, U2 looks at equal intervals only.
+    const bool equal_intervals =
+        certificate.theorem == Theorem::u2 && std::holds_alternative<InsertionRuleText>(certificate.definition);
+    const std::string text = (equal_intervals ? "equal intervals: " : "") + describe_leaf(leaf, m);
+    if (certificate.verdict != Outcome::refuted || certificate.parameters.empty()) return text;
+    return fmt::format("at {}: {}", describe_point(midpoint(leaf.region), certificate.parameters), text);
   }
   if (const auto* asymptotic = std::get_if<AsymptoticProof>(&certificate.proof)) {
     return fmt::format("the limit scheme is C{} and the masks tend to it like x^{}, x = {} p^-(k+1)", m, asymptotic->bound.order,

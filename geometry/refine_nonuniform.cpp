@@ -96,7 +96,8 @@ Polygon refine_polygon(const Polygon& polygon, const NonuniformRule& rule, const
   const int n = rule.points / 2;
   const Intervals intervals(polygon);
   Stencils stencils(rule, stop);
-  const Support support{2, 1 - 2 * n, 2 * n - 1, 0, rule.points, true};
+  if (refinement.ends == EndRule::exact) throw DomainError("only nonstationary schemes have exact ends");
+  const Support support{2, 1 - 2 * n, 2 * n - 1, 0, rule.points, true, {}};
   Strip strip =
       geometry_impl::refined_strip(polygon, support, refinement, stop, [&](const Strip& from, Strip& to, int level) {
         const std::size_t d = to.dimension;

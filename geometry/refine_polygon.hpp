@@ -2,6 +2,7 @@
 
 #include "algebra/stop.hpp"
 #include "geometry/polygon.hpp"
+#include "schemes/nonstationary/mask_sequence.hpp"
 #include "schemes/nonuniform/insertion_rule.hpp"
 #include "schemes/uniform/mask.hpp"
 
@@ -20,9 +21,11 @@ namespace limes {
 ///   all of it depends on; what lies beyond the ends is cut off at last. So the limit is a part of a limit of
 ///   bi-infinite data, and just as smooth up to its ends, which extrapolating once more at each level would not give.
 ///   Linear data stay linear.
+/// - exact (nonstationary schemes): the same, but by the recurrence of the functions that the scheme reproduces instead of the
+///   line, so that an arc of a circle stays one up to its ends. Other data may swing out beyond the ends.
 ///
 /// By default interpolatory schemes extend, so that their curves go through all points, and all others shrink.
-enum class EndRule { automatic, extend, shrink };
+enum class EndRule { automatic, extend, shrink, exact };
 
 struct Refinement {
   /// >= 0
@@ -61,12 +64,32 @@ struct NonuniformRule {
 
 NonuniformRule approx_nonuniform_rule(const InsertionRule& rule, std::span<const Rational> parameter_values);
 
+/// A nonstationary scheme for one angle: the rules of its steps.
+struct NonstationaryRule {
+  std::vector<UniformRule> steps;
+  /// Of EndRule::exact, see approx_continuation.
+  std::vector<double> continuation;
+};
+
+/// The steps 0, .., levels - 1. mu is rounded to double precision, the mask is evaluated exactly there and then rounded.
+/// \throws DomainError at a pole, or when a mask is zero or not finite.
+NonstationaryRule approx_nonstationary_rule(const MaskSequence& sequence, AngleType type, const Rational& angle, int levels);
+
+/// The weights w_1, .., w_n with u(-1) = sum_j w_j u(j-1) for all functions u of a space that is spanned by n functions y^j,
+/// y^j cos(m theta y), y^j sin(..) or hyperbolic ones, and their shifts. For {1, y, cos, sin}: 2 + 2c, -2 - 4c, 2 + 2c, -1, c = cos
+/// theta. Each plane of a cos with its sin is named by the cos alone or by both.
+std::vector<double> approx_continuation(const std::vector<ExponentialFunction>& space, double angle);
+
 /// The polygon after some levels, without knots. Old points of an interpolatory scheme are kept bit by bit; of a closed
 /// polygon p_j becomes point j arity^levels. The polygon's own knots play no part.
 /// \throws InputError when there are too few points: an open polygon needs as many as a stencil (and what shrinking
 /// loses), a closed one 3. LimitError: too many points. Interrupted. DomainError when points leave the range of double
 /// precision.
 Polygon refine_polygon(const Polygon& polygon, const UniformRule& rule, const Refinement& refinement,
+                       const Stop& stop = Stop());
+
+/// The same with a rule for each step. \pre as many steps as levels
+Polygon refine_polygon(const Polygon& polygon, const NonstationaryRule& rule, const Refinement& refinement,
                        const Stop& stop = Stop());
 
 /// The same over the polygon's knots, which are refined by midpoints; the result has knots. Interval ratios are exact

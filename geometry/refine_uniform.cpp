@@ -36,7 +36,7 @@ std::vector<Stencil> stencils(const UniformRule& rule) {
   return result;
 }
 
-void refine_level(const std::vector<Stencil>& stencils, int first_index, const Strip& from, Strip& to) {
+void apply(const std::vector<Stencil>& stencils, int first_index, const Strip& from, Strip& to) {
   const auto p = static_cast<std::int64_t>(stencils.size());
   const std::size_t d = to.dimension;
   for (std::int64_t i = to.first, last = to.last(); i <= last; ++i) {
@@ -54,6 +54,10 @@ void refine_level(const std::vector<Stencil>& stencils, int first_index, const S
 }
 
 }  // namespace
+
+void geometry_impl::refine_level(const UniformRule& rule, const Strip& from, Strip& to) {
+  apply(stencils(rule), rule.first_index, from, to);
+}
 
 int UniformRule::points() const {
   std::size_t most = 0;
@@ -74,14 +78,15 @@ UniformRule approx_uniform_rule(const Mask& mask, std::span<const Rational> para
 
 Polygon refine_polygon(const Polygon& polygon, const UniformRule& rule, const Refinement& refinement,
                        const Stop& stop) {
+  if (refinement.ends == EndRule::exact) throw DomainError("only nonstationary schemes have exact ends");
   Support support{rule.arity,        rule.first_index,
                   rule.last_index(), rule.first_index + rule.last_index(),
-                  rule.points(),     rule.interpolatory_index.has_value()};
+                  rule.points(),     rule.interpolatory_index.has_value(), {}};
   if (rule.interpolatory_index) support.centre_twice = 2 * *rule.interpolatory_index;
   const std::vector<Stencil> level_stencils = stencils(rule);
   Strip strip = geometry_impl::refined_strip(
       polygon, support, refinement, stop,
-      [&](const Strip& from, Strip& to, int) { refine_level(level_stencils, rule.first_index, from, to); });
+      [&](const Strip& from, Strip& to, int) { apply(level_stencils, rule.first_index, from, to); });
   return {polygon.dimension(), std::move(strip.coordinates), polygon.closed()};
 }
 

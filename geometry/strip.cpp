@@ -20,11 +20,29 @@ Range dependence(const Range& range, const Support& s) {
   return {ceil_div(range.first - s.highest, s.arity), floor_div(range.last - s.lowest, s.arity)};
 }
 
-/// The points of a range that contains 0, .., size-1: periodic when closed, else on the lines through the end edges.
-Strip continued(const Polygon& polygon, const Range& range) {
+/// Continues the known points first, .., last of a strip to all of it by a recurrence.
+void continue_by(const std::vector<double>& weights, Strip& strip, std::int64_t first, std::int64_t last) {
+  const auto fill = [&](std::int64_t i, std::int64_t inward) {
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      const double* source = strip[i + inward * static_cast<std::int64_t>(j + 1)];
+      for (std::size_t k = 0; k < strip.dimension; ++k) strip[i][k] += weights[j] * source[k];
+    }
+  };
+  for (std::int64_t i = first - 1; i >= strip.first; --i) fill(i, 1);
+  for (std::int64_t i = last + 1; i <= strip.last(); ++i) fill(i, -1);
+}
+
+/// The points of a range that contains 0, .., size-1: periodic when closed, else on the lines through the end edges, or by the
+/// weights of a recurrence.
+Strip continued(const Polygon& polygon, const Range& range, const std::vector<double>& weights = {}) {
   const auto n = static_cast<std::int64_t>(polygon.size());
   const auto d = static_cast<std::size_t>(polygon.dimension());
   Strip strip{range.first, d, std::vector<double>(static_cast<std::size_t>(range.size()) * d)};
+  if (!polygon.closed() && !weights.empty()) {
+    std::copy(polygon.coordinates().begin(), polygon.coordinates().end(), strip[0]);
+    continue_by(weights, strip, 0, n - 1);
+    return strip;
+  }
   for (std::int64_t i = range.first; i <= range.last; ++i) {
     std::int64_t base = polygon.closed() ? ((i % n) + n) % n : std::clamp<std::int64_t>(i, 0, n - 1);
     const auto steps = static_cast<double>(polygon.closed() ? 0 : i - base);
@@ -99,7 +117,7 @@ Strip refined_open(const Polygon& polygon, const Support& support, bool extend, 
                       level, level == 1 ? "level" : "levels"));
     }
   }
-  Strip strip = continued(polygon, ranges.front());
+  Strip strip = continued(polygon, ranges.front(), support.continuation);
   for (int level = 1; level <= refinement.levels; ++level) {
     stop.check();
     const Range& made = ranges[static_cast<std::size_t>(level)];
@@ -117,7 +135,7 @@ Strip refined_open(const Polygon& polygon, const Support& support, bool extend, 
 Strip refined_strip(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop,
                     const Step& step) {
   if (refinement.levels < 0) throw DomainError("the number of levels is negative");
-  const int needed = polygon.closed() ? 3 : std::max(support.points, 2);
+  const int needed = polygon.closed() ? 3 : std::max({support.points, 2, static_cast<int>(support.continuation.size())});
   if (polygon.size() < static_cast<std::size_t>(needed)) {
     throw InputError(fmt::format("{} {} too few: {} needs at least {}", polygon.size(),
                                  polygon.size() == 1 ? "point is" : "points are",
@@ -125,7 +143,7 @@ Strip refined_strip(const Polygon& polygon, const Support& support, const Refine
   }
   if (polygon.closed()) return refined_closed(polygon, support, refinement, stop, step);
   const bool extend =
-      refinement.ends == EndRule::extend || (refinement.ends == EndRule::automatic && support.interpolatory);
+      refinement.ends == EndRule::extend || refinement.ends == EndRule::exact || (refinement.ends == EndRule::automatic && support.interpolatory);
   return refined_open(polygon, support, extend, refinement, stop, step);
 }
 

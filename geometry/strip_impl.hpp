@@ -36,6 +36,8 @@ struct Support {
   /// The greatest number of points in a stencil.
   int points = 1;
   bool interpolatory = false;
+  /// Of EndRule::exact: the point beyond an end is the sum of these weights times the points from that end on. Empty: 2, -1.
+  std::vector<double> continuation;
 };
 
 /// Fills `to`, whose range is set, from the points of `from`; `level` >= 1 is the level that is made.
@@ -45,5 +47,8 @@ using Step = std::function<void(const Strip& from, Strip& to, int level)>;
 /// .., size arity^levels - 1.
 Strip refined_strip(const Polygon& polygon, const Support& support, const Refinement& refinement, const Stop& stop,
                     const Step& step);
+
+/// One step of a uniform scheme.
+void refine_level(const UniformRule& rule, const Strip& from, Strip& to);
 
 }  // namespace limes::geometry_impl

@@ -2,6 +2,8 @@
 
 #include "algebra/error.hpp"
 #include "proofs/certificate_text_impl.hpp"
+#include "proofs/mask_json_impl.hpp"
+#include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
 
 namespace limes {
@@ -33,13 +35,29 @@ Json leaves_to_json(const std::vector<ProofLeaf>& leaves, const VariableNames& n
   return json;
 }
 
-Json dominance_to_json(std::size_t factor, const DominanceLeaf& leaf, const VariableNames& names) {
+/// The ends of the intervals between which there is one root each, and lower bounds of the moduli of these roots if a pair of
+/// conjugate ones is left.
+void add_separation(Json& json, const DominanceLeaf& leaf, int degree) {
+  std::vector<Rational> curves;
+  Json distances = Json::array();
+  for (const Interval& root : leaf.roots) {
+    if (curves.empty() || curves.back() != root.lower) curves.push_back(root.lower);
+    curves.push_back(root.upper);
+    distances.push_back(to_string(std::min(Rational(abs(root.lower)), Rational(abs(root.upper)))));
+  }
+  json["curves"] = Json::array();
+  for (const Rational& curve : curves) json["curves"].push_back(to_string(curve));
+  if (static_cast<int>(leaf.roots.size()) < degree) json["distances"] = std::move(distances);
+}
+
+Json dominance_to_json(std::size_t factor, int degree, const DominanceLeaf& leaf, const VariableNames& names) {
   Json json{{"factor", factor}, {"region", region_to_json(leaf.box, names)}, {"test", std::string(to_string(leaf.method))}};
   // The cuts of c = cos t inside of [-1, 1].
   if (leaf.method == DominanceMethod::circle && leaf.cuts.size() > 2) {
     json["c"] = Json::array();
     for (std::size_t k = 1; k + 1 < leaf.cuts.size(); ++k) json["c"].push_back(to_string(leaf.cuts[k]));
   }
+  if (leaf.method == DominanceMethod::sign_separation) add_separation(json, leaf, degree);
   return json;
 }
 
@@ -47,8 +65,9 @@ std::string to_text(Stability stability) {
   return stability == Stability::interpolatory ? "interpolatory" : "linear-independence";
 }
 
+}  // namespace
+
 Json mask_to_json(const Mask& mask, const VariableNames& names) {
-  // All entries over the one denominator that the proof used, so that the checker forms the same one.
   const MultivariatePolynomial denominator = common_denominator(mask.symbol);
   Json entries = Json::array();
   for (const MultivariatePolynomial& numerator : numerators_over(mask.symbol, denominator)) {
@@ -58,6 +77,8 @@ Json mask_to_json(const Mask& mask, const VariableNames& names) {
   }
   return entries;
 }
+
+namespace {
 
 Json rule_to_json(const InsertionRuleText& rule) {
   Json json = Json::object();
@@ -86,11 +107,33 @@ Json scheme_to_json(const Certificate& certificate) {
   return json;
 }
 
+Json strings(const std::vector<Rational>& numbers) {
+  Json list = Json::array();
+  for (const Rational& x : numbers) list.push_back(to_string(x));
+  return list;
+}
+
+Json cone_to_json(const ConeProof& proof) {
+  const ProjectiveContraction& contraction = proof.contraction;
+  Json json{{"cone", {{"lower", strings(contraction.cone.lower)}, {"upper", strings(contraction.cone.upper)}}},
+            {"level", contraction.level}};
+  if (!proof.roughness) return json;
+  const ProjectiveRoughness& rough = *proof.roughness;
+  json["word"] = rough.word;
+  json["dominant"] = {{"value", to_string(rough.dominant.value)}, {"vector", strings(rough.dominant.vector)}};
+  json["second"] = {{"value", to_string(rough.second.value)}, {"vector", strings(rough.second.vector)}};
+  json["window"] = rough.window;
+  return json;
+}
+
 Json proof_to_json(const Certificate& certificate) {
   const VariableNames& names = certificate.parameters;
+  if (const auto* cone = std::get_if<ConeProof>(&certificate.proof)) return cone_to_json(*cone);
   Json json = Json::object();
-  if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
-    if (certificate.theorem == Theorem::n3) return leaf_to_json(leaves->leaves.front(), names);
+  if (const auto* zero = std::get_if<ZeroLimitProof>(&certificate.proof)) {
+    if (zero->word) json["word"] = *zero->word;
+  } else if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
+    if (certificate.theorem == Theorem::n3 && leaves->leaves.size() == 1) return leaf_to_json(leaves->leaves.front(), names);
     if (leaves->stability) json["stability"] = to_text(*leaves->stability);
     json["leaves"] = leaves_to_json(leaves->leaves, names);
   } else {
@@ -101,13 +144,20 @@ Json proof_to_json(const Certificate& certificate) {
     json["factors"] = Json::array();
     json["multiplicities"] = Json::array();
     json["dominance"] = Json::array();
+    if (knots.both_sides) json["mirrored"] = Json::array();
     for (std::size_t k = 0; k < knots.factors.size(); ++k) {
       const DominatedFactor& factor = knots.factors[k];
       Json coefficients = Json::array();
       for (const MultivariatePolynomial& d : factor.polynomial.coefficients()) coefficients.push_back(to_string(d, with_ratio));
       json["factors"].push_back(std::move(coefficients));
       json["multiplicities"].push_back(factor.multiplicity);
-      for (const DominanceLeaf& leaf : factor.leaves) json["dominance"].push_back(dominance_to_json(k, leaf, with_ratio));
+      const auto add = [&](const char* key, const std::vector<DominanceLeaf>& boxes) {
+        for (const DominanceLeaf& leaf : boxes) {
+          json[key].push_back(dominance_to_json(k, factor.polynomial.degree(), leaf, with_ratio));
+        }
+      };
+      add("dominance", factor.leaves);
+      add("mirrored", factor.mirrored_leaves);
     }
   }
   return json;
@@ -129,24 +179,34 @@ std::string to_string(Theorem theorem) {
     case Theorem::u2: return "U2";
     case Theorem::n1: return "N1";
     case Theorem::n3: return "N3";
+    case Theorem::s1: return "S1";
+    case Theorem::s2: return "S2";
+    case Theorem::p0: return "P0";
+    case Theorem::p1: return "P1";
+    case Theorem::p2: return "P2";
   }
   throw InternalError("unknown theorem");
 }
 
 int Certificate::level() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return highest_level(leaves->leaves);
-  return highest_level(std::get<KnotProof>(proof).uniform_leaves);
+  if (const auto* asymptotic = std::get_if<AsymptoticProof>(&proof)) return asymptotic->limit_level;
+  if (const auto* cone = std::get_if<ConeProof>(&proof)) return cone->contraction.level;
+  const auto* knots = std::get_if<KnotProof>(&proof);
+  return knots ? highest_level(knots->uniform_leaves) : 0;
 }
 
 int Certificate::leaf_count() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return static_cast<int>(leaves->leaves.size());
-  const KnotProof& knots = std::get<KnotProof>(proof);
-  std::size_t count = knots.uniform_leaves.size();
-  for (const DominatedFactor& factor : knots.factors) count += factor.leaves.size();
+  const auto* knots = std::get_if<KnotProof>(&proof);
+  if (!knots) return 1;
+  std::size_t count = knots->uniform_leaves.size();
+  for (const DominatedFactor& factor : knots->factors) count += factor.leaves.size() + factor.mirrored_leaves.size();
   return static_cast<int>(count);
 }
 
 std::string to_json(const Certificate& certificate) {
+  if (std::holds_alternative<MaskSequence>(certificate.definition)) return sequence_certificate_json(certificate);
   const Json json{{"format", "limes-certificate"},
                   {"version", 1},
                   {"scheme", scheme_to_json(certificate)},

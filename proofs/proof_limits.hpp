@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/nonuniform/root_dominance.hpp"
 #include "analysis/spectral_radius/polytope_norm.hpp"
 #include "analysis/uniform/contractivity_bound.hpp"
 
@@ -8,6 +9,8 @@ namespace limes {
 /// How hard the provers try before they say undecided.
 struct ProofLimits {
   ContractivityLimits contractivity;
+  /// The tests of Theorem N1 for one factor of a characteristic polynomial, and their boxes.
+  RootDominanceOptions dominance;
   /// Polytope norms: vectors, and the dimension of the sections.
   PolytopeLimits polytope{.max_vectors = 400, .precision = 48, .eagerness = 0.5};
   int max_polytope_dimension = 20;

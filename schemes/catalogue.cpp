@@ -1,6 +1,7 @@
 #include "schemes/catalogue.hpp"
 
 #include "algebra/error.hpp"
+#include "schemes/data_directory.hpp"
 
 #include <fmt/format.h>
 
@@ -61,10 +62,8 @@ Catalogue::Catalogue(fs::path directory) : directory_(std::move(directory)) {
 
 Catalogue Catalogue::find() {
   if (const char* named = std::getenv("LIMES_CATALOGUE"); named && *named) return Catalogue(named);
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path beside = program.parent_path().parent_path() / "share/limes/catalogue";
-  if (error || !fs::is_directory(beside)) {
+  const fs::path beside = data_path("catalogue");
+  if (!fs::is_directory(beside)) {
     throw InputError(fmt::format("no catalogue of schemes at '{}'; set LIMES_CATALOGUE to its directory", beside.string()));
   }
   return Catalogue(beside);

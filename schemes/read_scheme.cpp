@@ -1,103 +1,22 @@
-// The reader of scheme files, and the only source that includes toml++.
+// The reader of scheme files.
 
 #include "algebra/error.hpp"
 #include "algebra/expression/expression.hpp"
 #include "algebra/number/read_rational.hpp"
+#include "schemes/catalogue.hpp"
 #include "schemes/scheme.hpp"
-#include "schemes/uniform/interpolant_rule.hpp"
+#include "schemes/table_reader_impl.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include <fstream>
-#include <set>
 
 namespace limes {
 namespace {
 
-constexpr std::uintmax_t max_file_size = 4 << 20;
 constexpr std::size_t max_parameters = 8;
 constexpr std::size_t max_mask_length = 1024;
 constexpr int max_arity = 16;
 constexpr int max_index = 1 << 20;
 constexpr int max_points = 64;
-
-/// A TOML table whose keys must all be asked for: what nobody asked for is unknown.
-class TableReader {
- public:
-  TableReader(const toml::table& table, std::string where, const std::string& file)
-      : table_(table), where_(std::move(where)), file_(file) {}
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& reason) const {
-    throw InputError(reason, {file_, static_cast<int>(node.source().begin.line), 0});
-  }
-  [[noreturn]] void fail(const std::string& reason) const { fail(table_, reason); }
-
-  int line(const toml::node& node) const { return static_cast<int>(node.source().begin.line); }
-  int line() const { return line(table_); }
-  const std::string& file() const { return file_; }
-
-  const toml::node* find(const std::string& key) {
-    asked_.insert(key);
-    return table_.get(key);
-  }
-  const toml::node& require(const std::string& key) {
-    if (const toml::node* node = find(key)) return *node;
-    fail(fmt::format("{} has no key '{}'", where_, key));
-  }
-
-  std::string text(const toml::node& node, const std::string& key) const {
-    if (const auto* value = node.as_string()) return value->get();
-    fail(node, fmt::format("'{}' must be a string", key));
-  }
-  std::string text(const std::string& key) { return text(require(key), key); }
-  std::string text_or(const std::string& key, const std::string& otherwise) {
-    const toml::node* node = find(key);
-    return node ? text(*node, key) : otherwise;
-  }
-  int integer(const toml::node& node, const std::string& key, int lower, int upper) const {
-    const auto* value = node.as_integer();
-    if (!value || value->get() < lower || value->get() > upper) {
-      fail(node, fmt::format("'{}' must be an integer from {} to {}", key, lower, upper));
-    }
-    return static_cast<int>(value->get());
-  }
-
-  TableReader table(const toml::node& node, const std::string& where) const {
-    if (const auto* value = node.as_table()) return TableReader(*value, where, file_);
-    fail(node, fmt::format("{} must be a table", where));
-  }
-  const toml::table& raw() const { return table_; }
-
-  /// Runs a reader of one value and moves its errors to that value's line.
-  template <class Read>
-  auto located(const toml::node& node, const std::string& what, Read read) const {
-    try {
-      return read();
-    } catch (const LimitError& error) {
-      throw LimitError(fmt::format("{}: {}", what, error.located(file_, line(node)).reason()), {file_, line(node), 0});
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", what, error.located(file_, line(node)).reason()), {file_, line(node), 0});
-    } catch (const DomainError& error) {
-      throw InputError(fmt::format("{}: {}", what, error.what()), {file_, line(node), 0});
-    }
-  }
-
-  /// The end of reading: every key must have been asked for.
-  void finish() const {
-    for (const auto& [key, value] : table_) {
-      if (asked_.contains(std::string(key.str()))) continue;
-      throw InputError(fmt::format("unknown key '{}' in {}", std::string(key.str()), where_),
-                       {file_, static_cast<int>(key.source().begin.line), 0});
-    }
-  }
-
- private:
-  const toml::table& table_;
-  std::string where_;
-  std::string file_;
-  std::set<std::string> asked_;
-};
 
 /// "[a, b]" and the like as one string, or two ends as an array of strings (closed).
 Interval read_range(const TableReader& reader, const toml::node& node, const std::string& name) {
@@ -166,7 +85,7 @@ void read_uniform(TableReader reader, Scheme& scheme) {
     if (arity != 2) reader.fail(*rule, "a rule makes a binary scheme: arity must be 2");
     scheme.rule = reader.text(*rule, "rule");
     scheme.mask = reader.located(*rule, "rule",
-                                 [&] { return mask_from_rule(read_expression(scheme.rule), scheme.parameter_names()); });
+                                 [&] { return uniform_mask(InsertionRule(read_expression(scheme.rule), scheme.parameter_names())); });
   }
   if (scheme.mask.symbol.is_zero()) reader.fail(mask ? *mask : *rule, "the mask is zero");
   reader.finish();
@@ -216,13 +135,126 @@ void read_nonuniform(TableReader reader, Scheme& scheme) {
   };
   try {
     scheme.insertion_rule.emplace(text, scheme.parameter_names());
+    scheme.mask = uniform_mask(*scheme.insertion_rule);
   } catch (const LimitError& error) {
     throw LimitError(error.reason(), position(error));
   } catch (const InputError& error) {
     throw InputError(error.reason(), position(error));
   }
   scheme.rule = text.new_point.text;
-  scheme.mask = uniform_mask(*scheme.insertion_rule);
+}
+
+std::vector<MaskSequence::Range> read_types(TableReader& reader, int arity) {
+  const toml::node& node = reader.require("types");
+  TableReader table = reader.table(node, "'types'");
+  std::vector<MaskSequence::Range> types;
+  for (const AngleType type : {AngleType::trigonometric, AngleType::hyperbolic}) {
+    const toml::node* range = table.find(to_string(type));
+    if (!range) continue;
+    const int most = (type == AngleType::trigonometric ? 3 : 100) * arity;
+    types.push_back({type, read_range(table, *range, to_string(type))});
+    if (types.back().angles.lower < 0 || types.back().angles.upper > most) {
+      table.fail(*range, fmt::format("{} angles go from 0 to {}", to_string(type), most));
+    }
+  }
+  table.finish();
+  if (types.empty()) reader.fail(node, "'types' needs the range of the angle for trigonometric, hyperbolic, or both");
+  return types;
+}
+
+std::vector<ExponentialFunction> read_functions(TableReader& reader, const toml::node& node) {
+  const auto* entries = node.as_array();
+  if (!entries) reader.fail(node, "'interpolate' must be an array of strings");
+  std::vector<ExponentialFunction> functions;
+  for (const toml::node& entry : *entries) {
+    functions.push_back(
+        reader.located(entry, "interpolate", [&] { return read_exponential_function(reader.text(entry, "interpolate")); }));
+  }
+  return functions;
+}
+
+void read_nonstationary(TableReader reader, Scheme& scheme) {
+  MaskSequence sequence;
+  int arity = 2;
+  if (const toml::node* node = reader.find("arity")) arity = reader.integer(*node, "arity", 2, max_arity);
+  sequence.angle = reader.text_or("angle", sequence.angle);
+  sequence.level_parameter = reader.text_or("level_parameter", sequence.level_parameter);
+  if (!is_name(sequence.angle) || !is_name(sequence.level_parameter) || sequence.angle == sequence.level_parameter) {
+    reader.fail("'angle' and 'level_parameter' are two different names");
+  }
+  sequence.types = read_types(reader, arity);
+  const VariableNames names{sequence.level_parameter};
+  const toml::node* mask = reader.find("mask");
+  const toml::node* interpolate = reader.find("interpolate");
+  if (!mask == !interpolate) reader.fail("[nonstationary] needs exactly one of 'mask' and 'interpolate'");
+  if (mask) {
+    sequence.mask = read_mask(reader, *mask, arity, names);
+  } else {
+    if (arity != 2) reader.fail(*interpolate, "interpolation makes a binary scheme: arity must be 2");
+    sequence.interpolated = read_functions(reader, *interpolate);
+    sequence.mask = reader.located(*interpolate, "interpolate", [&] { return interpolation_mask(sequence.interpolated); });
+  }
+  if (const toml::node* node = reader.find("first_levels")) {
+    const auto* levels = node->as_array();
+    constexpr std::size_t max_first_levels = 64;
+    if (!levels || levels->size() > max_first_levels) {
+      reader.fail(*node, fmt::format("'first_levels' must be an array of at most {} tables {{ mask = [..] }}", max_first_levels));
+    }
+    for (const toml::node& level : *levels) {
+      TableReader table = reader.table(level, "a first level");
+      sequence.first_levels.push_back(read_mask(table, table.require("mask"), arity, names));
+      table.finish();
+    }
+  }
+  reader.finish();
+  const toml::node& place = mask ? *mask : *interpolate;
+  if (sequence.mask.symbol.is_zero()) reader.fail(place, "the mask is zero");
+  scheme.mask = reader.located(place, "the limit of the masks", [&] { return limit_mask(sequence, 1); });
+  if (scheme.mask.symbol.is_zero()) reader.fail(place, "the limit of the masks is zero");
+  Interval hull = sequence.types.front().angles;
+  for (const MaskSequence::Range& range : sequence.types) {
+    if (range.angles.lower < hull.lower || (range.angles.lower == hull.lower && !range.angles.lower_open)) {
+      hull.lower = range.angles.lower;
+      hull.lower_open = range.angles.lower_open;
+    }
+    if (range.angles.upper > hull.upper || (range.angles.upper == hull.upper && !range.angles.upper_open)) {
+      hull.upper = range.angles.upper;
+      hull.upper_open = range.angles.upper_open;
+    }
+  }
+  scheme.parameters = {{sequence.angle, hull}};
+  scheme.sequence = std::move(sequence);
+}
+
+/// The type of a claim about a nonstationary scheme, the first one by default, whose range is the claim's default region.
+void read_claim_type(TableReader& reader, const MaskSequence& sequence, Claim& claim) {
+  claim.type = sequence.types.front().type;
+  if (const toml::node* node = reader.find("type")) {
+    const std::string type = reader.text(*node, "type");
+    const auto found = std::find_if(sequence.types.begin(), sequence.types.end(),
+                                    [&](const MaskSequence::Range& range) { return to_string(range.type) == type; });
+    if (found == sequence.types.end()) reader.fail(*node, fmt::format("the scheme has no type '{}'", type));
+    claim.type = found->type;
+  }
+  for (const ExponentialFunction& f : claim.space ? claim.space->functions : std::vector<ExponentialFunction>{}) {
+    if (!fits(f, claim.type)) reader.fail(fmt::format("{} does not belong to the {} type", to_string(f), to_string(claim.type)));
+  }
+  claim.region = {sequence.find(claim.type)->angles};
+}
+
+/// The curve scheme is one of the catalogue, or a file beside the surface scheme's own.
+void read_surface(TableReader reader, const std::filesystem::path& file, Scheme& scheme) {
+  const std::string curve = reader.text("curve");
+  const toml::node& place = reader.require("curve");
+  reader.finish();
+  const Scheme loaded = reader.located(place, "curve", [&] {
+    const bool is_file = curve.ends_with(".toml");
+    Scheme found = is_file ? read_scheme_file(file.parent_path() / curve) : load_scheme(curve);
+    if (!found.sequence) throw InputError(fmt::format("{} is no nonstationary scheme", curve));
+    return found;
+  });
+  scheme.surface = reader.located(place, "curve", [&] { return surface_rule(curve, *loaded.sequence); });
+  scheme.parameters = loaded.parameters;
 }
 
 Claim read_claim(TableReader reader, const Scheme& scheme) {
@@ -237,6 +269,9 @@ Claim read_claim(TableReader reader, const Scheme& scheme) {
   }
   claim.line = reader.line();
   claim.region = scheme.parameter_box();
+  if (scheme.sequence) read_claim_type(reader, *scheme.sequence, claim);
+  if (claim.space && !scheme.sequence) reader.fail("only nonstationary schemes have claims about reproduction and generation");
+  const Box widest = claim.region;
   if (const toml::node* node = reader.find("region")) {
     TableReader region = reader.table(*node, "region");
     for (std::size_t k = 0; k < scheme.parameters.size(); ++k) {
@@ -244,9 +279,9 @@ Claim read_claim(TableReader reader, const Scheme& scheme) {
       const toml::node* range = region.find(parameter.name);
       if (!range) continue;
       claim.region[k] = read_range(region, *range, parameter.name);
-      if (!parameter.range.contains(claim.region[k])) {
+      if (!widest[k].contains(claim.region[k])) {
         region.fail(*range, fmt::format("the region {} = {} exceeds the parameter's range {}", parameter.name,
-                                        to_string(claim.region[k]), to_string(parameter.range)));
+                                        to_string(claim.region[k]), to_string(widest[k])));
       }
     }
     region.finish();
@@ -295,15 +330,27 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
   const std::string kind_name = reader.text(kind, "kind");
   if (kind_name == "nonuniform") {
     scheme.kind = SchemeKind::nonuniform;
+  } else if (kind_name == "nonstationary") {
+    scheme.kind = SchemeKind::nonstationary;
+  } else if (kind_name == "surface") {
+    scheme.kind = SchemeKind::surface;
   } else if (kind_name != "uniform") {
-    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform)", kind_name));
+    reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform, nonstationary, surface)", kind_name));
   }
   scheme.sources = read_keys(reader.text_or("source", ""));
   if (const toml::node* node = reader.find("parameters")) {
+    if (scheme.kind == SchemeKind::surface) reader.fail(*node, "the parameters of a surface scheme are those of its curve scheme");
+    if (scheme.kind == SchemeKind::nonstationary) {
+      reader.fail(*node, "the only parameter of a nonstationary scheme is its angle, whose range 'types' gives");
+    }
     scheme.parameters = read_parameters(reader.table(*node, "[parameters]"));
   }
   if (scheme.kind == SchemeKind::uniform) {
     read_uniform(reader.table(reader.require("uniform"), "[uniform]"), scheme);
+  } else if (scheme.kind == SchemeKind::surface) {
+    read_surface(reader.table(reader.require("surface"), "[surface]"), file, scheme);
+  } else if (scheme.kind == SchemeKind::nonstationary) {
+    read_nonstationary(reader.table(reader.require("nonstationary"), "[nonstationary]"), scheme);
   } else {
     read_nonuniform(reader.table(reader.require("nonuniform"), "[nonuniform]"), scheme);
   }
@@ -319,24 +366,9 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
 }  // namespace
 
 Scheme read_scheme(std::string_view text, const std::filesystem::path& file) {
-  if (text.size() > max_file_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
-  try {
-    return interpret(toml::parse(text, file.string()), file);
-  } catch (const toml::parse_error& error) {
-    throw InputError(std::string(error.description()), {file.string(), static_cast<int>(error.source().begin.line),
-                                                        static_cast<int>(error.source().begin.column)});
-  }
+  return interpret(parse_toml(text, file), file);
 }
 
-Scheme read_scheme_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw InputError("cannot read the file: " + error.message(), {file.string(), 0, 0});
-  if (size > max_file_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw InputError("cannot read the file", {file.string(), 0, 0});
-  return read_scheme(text, file);
-}
+Scheme read_scheme_file(const std::filesystem::path& file) { return read_scheme(read_toml_text(file), file); }
 
 }  // namespace limes

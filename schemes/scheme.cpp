@@ -8,6 +8,8 @@ std::string to_string(SchemeKind kind) {
   switch (kind) {
     case SchemeKind::uniform: return "uniform";
     case SchemeKind::nonuniform: return "nonuniform";
+    case SchemeKind::nonstationary: return "nonstationary";
+    case SchemeKind::surface: return "surface";
   }
   throw InternalError("unknown kind of scheme");
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "schemes/claim.hpp"
+#include "schemes/nonstationary/mask_sequence.hpp"
 #include "schemes/nonuniform/insertion_rule.hpp"
+#include "schemes/surface/surface_rule.hpp"
 #include "schemes/uniform/mask.hpp"
 
 #include <filesystem>
@@ -18,7 +20,7 @@ struct Parameter {
   Interval range;
 };
 
-enum class SchemeKind { uniform, nonuniform };
+enum class SchemeKind { uniform, nonuniform, nonstationary, surface };
 
 std::string to_string(SchemeKind kind);
 
@@ -30,12 +32,17 @@ struct Scheme {
   /// Keys of references.bib.
   std::vector<std::string> sources;
   std::vector<Parameter> parameters;
-  /// Of a non-uniform scheme: its mask for equal knot intervals, E(1, .., 1).
+  /// Of a non-uniform scheme: its mask for equal knot intervals, E(1, .., 1). Of a nonstationary one: the limit of its masks, which
+  /// says nothing about the scheme by itself.
   Mask mask;
   /// The rule that the mask was made from; empty when the file gives the mask, or coefficients.
   std::string rule;
   /// Of a non-uniform scheme only.
   std::optional<InsertionRule> insertion_rule;
+  /// Of a nonstationary scheme only; its angle is the only parameter, in the hull of the ranges of its types.
+  std::optional<MaskSequence> sequence;
+  /// Of a surface scheme only, which has no mask; its parameters are those of its curve scheme.
+  std::optional<SurfaceRule> surface;
   std::vector<Claim> claims;
   std::filesystem::path file;
 

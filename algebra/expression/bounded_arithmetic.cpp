@@ -17,6 +17,8 @@ constexpr double max_terms = 100000;
 constexpr double max_digits = 10000;
 // In units of about a nanosecond: what the operations of one object may cost altogether.
 constexpr double max_work = 2e9;
+// Of an operation on constants.
+constexpr double least_work = 3000;
 
 // Upper bounds of the size of a polynomial on one common denominator.
 struct Size {
@@ -103,7 +105,7 @@ Size power(const Size& a, int exponent) {
 // Estimates the operations at one place of the text.
 class Meter {
  public:
-  Meter(double& work, int column) : work_(work), column_(column) {}
+  Meter(double& work, int column) : work_(work), column_(column) { spend(least_work); }
 
   void allow_sum(const RationalFunction& a, const RationalFunction& b) {
     if (a.denominator() == b.denominator()) {

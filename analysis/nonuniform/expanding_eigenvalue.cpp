@@ -8,15 +8,6 @@ namespace limes {
 
 namespace {
 
-std::vector<Rational> ratios() {
-  std::vector<Rational> result{1};
-  for (int k = 1; k <= 12; ++k) result.push_back(power(Rational(2), -k));
-  for (int k = 3; k <= 15; ++k) result.push_back(Rational(k) / 16);
-  const std::size_t count = result.size();
-  for (std::size_t i = 1; i < count; ++i) result.push_back(1 / result[i]);
-  return result;
-}
-
 // The middle first, then the ends that belong to the interval, then the rest.
 std::vector<Rational> values(const Interval& interval, int steps) {
   std::vector<Rational> result{interval.midpoint()};
@@ -28,6 +19,15 @@ std::vector<Rational> values(const Interval& interval, int steps) {
 }
 
 }  // namespace
+
+std::vector<Rational> candidate_ratios() {
+  std::vector<Rational> result{1};
+  for (int k = 1; k <= 12; ++k) result.push_back(power(Rational(2), -k));
+  for (int k = 3; k <= 15; ++k) result.push_back(Rational(k) / 16);
+  const std::size_t count = result.size();
+  for (std::size_t i = 1; i < count; ++i) result.push_back(1 / result[i]);
+  return result;
+}
 
 std::optional<ExpandingEigenvalue> expanding_eigenvalue_at(const LambdaPolynomial& chi, int smoothness,
                                                            const std::vector<Rational>& point) {
@@ -48,7 +48,7 @@ std::optional<ExpandingEigenvalue> find_expanding_eigenvalue(const LambdaPolynom
   std::vector<std::vector<Rational>> choices;
   for (const Interval& interval : region) choices.push_back(values(interval, steps));
   std::vector<std::size_t> position(region.size(), 0);
-  const std::vector<Rational> gammas = ratios();
+  const std::vector<Rational> gammas = candidate_ratios();
   while (true) {
     std::vector<Rational> point;
     for (std::size_t i = 0; i < region.size(); ++i) point.push_back(choices[i][position[i]]);

@@ -28,8 +28,10 @@ struct ExpandingEigenvalue {
 std::optional<ExpandingEigenvalue> expanding_eigenvalue_at(const LambdaPolynomial& chi, int smoothness,
                                                            const std::vector<Rational>& point);
 
-/// Tries rational points: gamma = 1, 1/2, 1/4, .., the k/16 and their inverses, with `steps` values of each parameter
-/// in the region. Nothing found is no statement. \param region the parameters' intervals, without gamma
+/// The ratios gamma that are tried: 1, 1/2, 1/4, .., the k/16 and their inverses.
+std::vector<Rational> candidate_ratios();
+
+/// Tries rational points: the candidate ratios, with `steps` values of each parameter in the region. Nothing found is no statement. \param region the parameters' intervals, without gamma
 std::optional<ExpandingEigenvalue> find_expanding_eigenvalue(const LambdaPolynomial& chi, int smoothness,
                                                              const Box& region, int steps = 5, const Stop& stop = {});
 

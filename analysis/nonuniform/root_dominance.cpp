@@ -14,7 +14,7 @@ constexpr std::array<std::pair<DominanceMethod, std::string_view>, 4> method_nam
     {DominanceMethod::rouche, "rouche"},
     {DominanceMethod::boundary, "boundary"},
     {DominanceMethod::circle, "circle"},
-    {DominanceMethod::sign_separation, "sign-separation"},
+    {DominanceMethod::sign_separation, "separation"},
 }};
 
 std::unique_ptr<DominanceTest> make_test(DominanceMethod method, const LambdaPolynomial& r, const Rational& rho) {
@@ -145,6 +145,7 @@ RootDominance prove_root_dominance(const LambdaPolynomial& r, const Rational& rh
       continue;
     }
     if (const auto point = hopeless_point(tests, piece.box, sample)) {
+      result.hopeless_point = point;
       result.reason = "the method fails at the point " + to_text(*point) + ": no bisection helps";
       result.leaves.clear();
       return result;

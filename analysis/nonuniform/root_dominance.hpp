@@ -8,8 +8,9 @@
 namespace limes {
 
 struct RootDominanceOptions {
-  /// Tried in this order on every box. Sign separation is slower, weaker and in no certificate.
-  std::vector<DominanceMethod> methods{DominanceMethod::rouche, DominanceMethod::circle, DominanceMethod::boundary};
+  /// Tried in this order on every box, the cheap ones first.
+  std::vector<DominanceMethod> methods{DominanceMethod::rouche, DominanceMethod::circle, DominanceMethod::boundary,
+                                       DominanceMethod::sign_separation};
   int max_boxes = 4096;
   /// Bisections per axis.
   int max_depth = 40;
@@ -22,6 +23,8 @@ struct RootDominance {
   std::vector<DominanceLeaf> leaves;
   /// A point of the box at which a root has modulus >= rho, exactly. Then nothing is proved.
   std::optional<std::vector<Rational>> counterexample;
+  /// A point of the closed box at which the methods cannot hold, exactly: no bisection helps.
+  std::optional<std::vector<Rational>> hopeless_point;
   /// When not proved: why, in words.
   std::string reason;
 

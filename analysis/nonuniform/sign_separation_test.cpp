@@ -17,18 +17,25 @@ std::vector<Rational> taylor_weights(const Rational& x, int direction, int sign,
   return result;
 }
 
-// (i): no real root >= rho (direction 1) or <= -rho (direction -1).
-bool no_real_root_beyond(const CoefficientTensors& tensors, const Rational& rho, int direction) {
+// (-1)^p for direction -1: the sign of r beyond all real roots.
+int outer_sign(const CoefficientTensors& tensors, int direction) { return direction < 0 && tensors.degree() % 2 != 0 ? -1 : 1; }
+
+bool no_negative_taylor_coefficient(const CoefficientTensors& tensors, const Rational& rho, int direction) {
   const int p = tensors.degree();
-  const int sign = direction < 0 && p % 2 != 0 ? -1 : 1;
-  const Rational x = direction * rho;
-  if (tensors.sign_off_open_faces(taylor_weights(x, direction, sign, p, 0)) <= 0) return false;
   for (int j = 1; j <= p; ++j) {
-    for (const Integer& value : tensors.combination(taylor_weights(x, direction, sign, p, j))) {
+    const std::vector<Rational> weights = taylor_weights(direction * rho, direction, outer_sign(tensors, direction), p, j);
+    for (const Integer& value : tensors.combination(weights)) {
       if (value < 0) return false;
     }
   }
   return true;
+}
+
+// (i): no real root >= rho (direction 1) or <= -rho (direction -1).
+bool no_real_root_beyond(const CoefficientTensors& tensors, const Rational& rho, int direction) {
+  const std::vector<Rational> constant =
+      taylor_weights(direction * rho, direction, outer_sign(tensors, direction), tensors.degree(), 0);
+  return tensors.sign_off_open_faces(constant) > 0 && no_negative_taylor_coefficient(tensors, rho, direction);
 }
 
 class SignSeparationTest final : public DominanceTest {
@@ -66,6 +73,20 @@ class SignSeparationTest final : public DominanceTest {
     }
     if (!all_real && !pair_is_inside(tensors, intervals)) return std::nullopt;
     return DominanceLeaf{box, method(), {}, {}, std::move(intervals)};
+  }
+
+  // With multiplicity, real roots are limits of real ones: fewer than p - 2, or one conjugate pair and a root 0 or a negative
+  // coefficient in (i), stay so nearby.
+  bool is_hopeless_at(const std::vector<Rational>& point) const override {
+    const Polynomial at = r_.at(point);
+    const int p = r_.degree();
+    if (at.degree() < p) return false;
+    int real = 0;
+    for (const RootInterval& root : isolate_real_roots(at, rho_)) real += root.multiplicity;
+    if (real != p - 2) return real < p - 2;
+    if (at.coefficient(0) == 0) return true;
+    const CoefficientTensors tensors(r_, point_box(point));
+    return !no_negative_taylor_coefficient(tensors, rho_, 1) || !no_negative_taylor_coefficient(tensors, rho_, -1);
   }
 
  private:

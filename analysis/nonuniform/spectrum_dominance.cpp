@@ -5,7 +5,8 @@
 namespace limes {
 
 SpectrumDominance prove_spectrum_dominance(const SplitCharacteristicPolynomial& split, const Box& region,
-                                           const RootDominanceOptions& options, const Stop& stop) {
+                                           bool both_sides, const RootDominanceOptions& options,
+                                           const Stop& stop) {
   if (region.size() + 1 != static_cast<std::size_t>(split.chi.variables())) {
     throw DomainError("a region has one interval for every parameter of the scheme");
   }
@@ -17,17 +18,20 @@ SpectrumDominance prove_spectrum_dominance(const SplitCharacteristicPolynomial& 
   Box box = region;
   box.push_back({0, 1, true, false});
   const Rational rho = power(Rational(2), -split.smoothness);
-  const bool symmetric = split.is_symmetric();
   for (const bool mirror : {false, true}) {
-    if (mirror && symmetric) break;
+    if (mirror && !both_sides) break;
     for (const auto* factors : {&split.ell, &split.r}) {
-      for (CharacteristicFactor factor : *factors) {
-        if (mirror) factor.polynomial = mirrored(factor.polynomial);
-        RootDominance dominance = prove_root_dominance(factor.polynomial, rho, box, options, stop);
-        const bool proved = dominance.proved;
-        if (!proved) result.reason = dominance.reason;
-        result.parts.push_back({std::move(factor), mirror, std::move(dominance)});
-        if (!proved) return result;
+      for (const CharacteristicFactor& factor : *factors) {
+        const LambdaPolynomial tested = mirror ? mirrored(factor.polynomial) : factor.polynomial;
+        result.parts.push_back({factor, mirror, prove_root_dominance(tested, rho, box, options, stop)});
+        const RootDominance& dominance = result.parts.back().dominance;
+        if (dominance.proved) continue;
+        result.reason = "the roots of a factor of degree " + std::to_string(factor.polynomial.degree()) +
+                        " are not dominated by " + to_string(rho) + (mirror ? ", with 1/gamma for gamma: " : ": ") +
+                        dominance.reason;
+        result.counterexample = dominance.counterexample;
+        if (mirror && result.counterexample) result.counterexample->back() = 1 / result.counterexample->back();
+        return result;
       }
     }
   }

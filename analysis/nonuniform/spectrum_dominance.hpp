@@ -13,7 +13,7 @@ namespace limes {
 struct SpectrumDominance {
   struct Part {
     CharacteristicFactor factor;
-    /// The factor is mirrored(): it stands for gamma >= 1. Only when the scheme is not symmetric.
+    /// What was tested is mirrored(factor): it stands for gamma >= 1.
     bool is_mirrored = false;
     RootDominance dominance;
   };
@@ -21,11 +21,15 @@ struct SpectrumDominance {
   /// Those of ell, then those of r; up to the first that fails.
   std::vector<Part> parts;
   std::string reason;
+  /// Parameters, then gamma: a point at which a root of the last part has modulus >= 2^{-m}.
+  std::optional<std::vector<Rational>> counterexample;
 };
 
-/// Tests the factors one by one on region x (0, 1]; with gamma -> 1/gamma as a second pass when chi is not symmetric.
+/// Tests the factors one by one on region x (0, 1]; with gamma -> 1/gamma as a second pass when `both_sides` are
+/// wanted: at most where the rule is not mirror-symmetric. Stops at the first factor that fails.
 /// \param region the parameters' intervals, without gamma. \throws Interrupted
 SpectrumDominance prove_spectrum_dominance(const SplitCharacteristicPolynomial& split, const Box& region,
-                                           const RootDominanceOptions& options = {}, const Stop& stop = {});
+                                           bool both_sides, const RootDominanceOptions& options = {},
+                                           const Stop& stop = {});
 
 }  // namespace limes

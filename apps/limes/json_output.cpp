@@ -1,5 +1,6 @@
 #include "apps/limes/json_output.hpp"
 
+#include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
 
@@ -29,19 +30,58 @@ Json intervals_json(const Scheme& scheme, const Box& region) {
 
 Json claim_json(const Scheme& scheme, const Claim& claim) {
   Json json{{"claim", statement(claim)},
-            {"smoothness", claim.smoothness},
+            {"smoothness", claim.space ? Json(nullptr) : Json(claim.smoothness)},
             {"region", region_json(scheme, claim.region)},
             {"intervals", intervals_json(scheme, claim.region)},
             {"expected", to_string(claim.expected)},
             {"source", claim.source}};
+  if (scheme.sequence) json["type"] = to_string(claim.type);
   if (!claim.erratum.empty()) json["erratum"] = claim.erratum;
   return json;
 }
+
+/// Decimals rounded outward.
+Json enclosure_json(const Interval& x) { return {to_decimal(x.lower, 17, Rounding::down), to_decimal(x.upper, 17, Rounding::up)}; }
 
 Json symbol_json(const LaurentPolynomial& symbol, const VariableNames& names) {
   Json coefficients = Json::array();
   for (const RationalFunction& c : symbol.coefficients()) coefficients.push_back(to_string(c, names));
   return {{"first_index", symbol.lowest()}, {"coefficients", coefficients}};
+}
+
+/// What a nonstationary scheme has beside its limit.
+Json sequence_json(const MaskSequence& sequence) {
+  const VariableNames names{sequence.level_parameter};
+  Json types = Json::object(), spaces = Json::object(), first_levels = Json::array();
+  for (const MaskSequence::Range& range : sequence.types) {
+    const std::string type = to_string(range.type);
+    types[type] = to_string(range.angles);
+    Json failures = Json::array();
+    for (const auto& [function, defect] : first_failures(sequence, range.type, false)) {
+      failures.push_back({{"function", to_string(function)},
+                          {"residue", defect.residue},
+                          {"moment", defect.moment},
+                          {"part", defect.part == MomentPart::even ? "even" : "odd"},
+                          {"defect", to_string(defect.value, {"c"})}});
+    }
+    Json reproduced = Json::array(), generated = Json::array();
+    for (const ExponentialFunction& f : reproduced_space(sequence, range.type, false)) reproduced.push_back(to_string(f));
+    for (const ExponentialFunction& f : reproduced_space(sequence, range.type, true)) generated.push_back(to_string(f));
+    spaces[type] = {{"reproduced", reproduced}, {"generated", generated}, {"not_reproduced", failures}};
+  }
+  for (const Mask& mask : sequence.first_levels) first_levels.push_back(symbol_json(mask.symbol, names));
+  return {{"angle", sequence.angle},     {"level_parameter", sequence.level_parameter},
+          {"types", types},              {"mask", symbol_json(sequence.mask.symbol, names)},
+          {"first_levels", first_levels}, {"spaces", spaces}};
+}
+
+/// {"polynomial": [c_0, .., c_d], "lower", "upper"}: the only root in between; null without one.
+Json algebraic_json(const std::optional<AlgebraicNumber>& x) {
+  if (!x) return nullptr;
+  Json coefficients = Json::array();
+  for (const Rational& c : x->polynomial.coefficients()) coefficients.push_back(to_string(c));
+  const AlgebraicNumber shown{x->polynomial, x->lower, x->upper};
+  return {{"polynomial", coefficients}, {"value", describe(shown)}};
 }
 
 }  // namespace
@@ -61,6 +101,13 @@ std::string list_json(const std::vector<Scheme>& schemes) {
 }
 
 std::string show_json(const Scheme& scheme) {
+  if (scheme.surface) {
+    return text(Json{{"name", scheme.name},
+                     {"title", scheme.title},
+                     {"kind", to_string(scheme.kind)},
+                     {"source", scheme.sources},
+                     {"curve", scheme.surface->curve}});
+  }
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();
   const PolynomialDegrees degrees = polynomial_degrees(mask);
@@ -82,6 +129,16 @@ std::string show_json(const Scheme& scheme) {
             {"parameter_shift", to_string(degrees.parameter_shift, names)},
             {"interpolatory", interpolatory_index(mask).has_value()},
             {"claims", claims}};
+  if (scheme.insertion_rule) {
+    const InsertionRuleText& rule = scheme.insertion_rule->text();
+    Json let = Json::array(), coefficients = Json::array();
+    for (const auto& [name, value] : rule.let) let.push_back({{"name", name}, {"value", value.text}});
+    for (const auto& line : rule.coefficients) coefficients.push_back(line.text);
+    json["points"] = scheme.insertion_rule->points();
+    json["let"] = let;
+    json["coefficients"] = coefficients;
+  }
+  if (scheme.sequence) json["sequence"] = sequence_json(*scheme.sequence);
   return text(json);
 }
 
@@ -173,14 +230,96 @@ std::string matrix_json(const MatrixReport& report) {
     for (int column = -last; column <= last; ++column) entries.push_back(to_string(matrix.entry(row, column), report.names));
     rows.push_back(std::move(entries));
   }
-  return text({{"size", matrix.size()},
+  Json eigenvalues = Json::array();
+  for (const ComplexRoot& root : report.eigenvalues) {
+    eigenvalues.push_back({{"re", enclosure_json(root.re)},
+                           {"im", enclosure_json(root.im)},
+                           {"modulus", enclosure_json(root.modulus)},
+                           {"multiplicity", root.multiplicity}});
+  }
+  Json json{{"size", matrix.size()},
                {"matrix", rows},
                {"characteristic_polynomial", to_string(report.split.chi, report.names)},
                {"polynomial_eigenvalues", report.split.smoothness + 1},
                {"ell", factors(report.split.ell)},
                {"r", factors(report.split.r)},
                {"eigenvalues_split", !report.split.missing_eigenvalue.has_value()},
-               {"symmetric", report.split.is_symmetric()}});
+               {"symmetric", report.split.is_symmetric()}};
+  if (!report.eigenvalues.empty()) json["eigenvalues"] = eigenvalues;
+  return text(json);
+}
+
+std::string dominance_json(const std::vector<DominanceReport>& reports) {
+  Json results = Json::array();
+  for (const DominanceReport& report : reports) {
+    const auto point = [&](const std::vector<Rational>& values) {
+      Json json = Json::object();
+      for (std::size_t k = 0; k < values.size(); ++k) json[report.names[k]] = to_string(values[k]);
+      return json;
+    };
+    Json factors = Json::array();
+    for (const FactorComparison& comparison : report.factors) {
+      Json tests = Json::array();
+      for (const MethodResult& result : comparison.methods) {
+        Json test{{"test", to_string(result.method)}, {"proved", result.proved}, {"boxes", result.leaves}};
+        if (result.hopeless_point) test["fails_at"] = point(*result.hopeless_point);
+        if (result.counterexample) test["counterexample"] = point(*result.counterexample);
+        tests.push_back(std::move(test));
+      }
+      factors.push_back({{"factor", to_string(comparison.factor.polynomial, report.names)},
+                         {"part", comparison.in_ell ? "ell" : "r"},
+                         {"multiplicity", comparison.factor.multiplicity},
+                         {"degree", comparison.factor.polynomial.degree()},
+                         {"mirrored", comparison.is_mirrored},
+                         {"tests", tests}});
+    }
+    Json result{{"scheme", report.scheme}, {"claim", statement(report.claim)}, {"region", report.region}, {"factors", factors}};
+    if (!report.reason.empty()) result["reason"] = report.reason;
+    results.push_back(std::move(result));
+  }
+  return text({{"results", results}});
+}
+
+std::string derive_json(const DeriveReport& report) {
+  const DerivedMask& derived = report.derived;
+  const RefinementEquation& equation = derived.equation;
+  const auto strings = [](const std::vector<Rational>& numbers) {
+    Json list = Json::array();
+    for (const Rational& x : numbers) list.push_back(to_string(x));
+    return list;
+  };
+  Json json{{"weight", report.weight},
+            {"mask", strings(derived.mask)},
+            {"first_index", equation.first_index()},
+            {"first_shift", to_string(equation.first_shift)},
+            {"domain", {to_string(equation.domain.lower), to_string(equation.domain.upper)}},
+            {"error", derived.error},
+            {"least_error", derived.least_error},
+            {"exact", derived.exact},
+            {"even_sum", to_string(report.even_sum)},
+            {"odd_sum", to_string(report.odd_sum)},
+            {"alternating_sum", to_string(Rational(report.even_sum - report.odd_sum))},
+            {"sum_rule_order", report.sum_rule_order},
+            {"condition", derived.condition},
+            {"rank", derived.rank},
+            {"unknowns", derived.unknowns}};
+  if (report.optimum) {
+    json["optimum"] = {{"parameter", report.parameter},
+                       {"value", to_string(report.optimum->parameter)},
+                       {"local_minima", report.optimum->local_minima}};
+  }
+  if (report.rounded) json["rounded"] = {{"to", report.rounding}, {"mask", strings(*report.rounded)}, {"error", report.rounded_error}};
+  if (!report.costs.empty()) {
+    json["costs"] = Json::array();
+    for (const SmoothnessCost& cost : report.costs) {
+      Json claims = Json::array();
+      for (const Claim& claim : cost.claims) claims.push_back(statement(claim));
+      Json row{{"sum_rules", cost.sum_rules}, {"error", cost.error}, {"claims", claims}};
+      if (cost.exponent) row["exponent"] = to_string(*cost.exponent);
+      json["costs"].push_back(row);
+    }
+  }
+  return text(json);
 }
 
 std::string norm_json(const Rational& norm, int order, int level) {
@@ -188,6 +327,74 @@ std::string norm_json(const Rational& norm, int order, int level) {
                {"decimal", to_decimal(norm, 17, Rounding::up)},
                {"order", order},
                {"level", level}});
+}
+
+std::string tables_json(const std::vector<ComparedTable>& tables) {
+  Json list = Json::array();
+  for (const ComparedTable& table : tables) {
+    Json rows = Json::array();
+    for (const TableRow& row : table.rows) {
+      rows.push_back({{"entry", row.entry},
+                      {"published", row.published},
+                      {"computed", row.computed},
+                      {"digits", row.agreement.digits ? Json(*row.agreement.digits) : Json(nullptr)},
+                      {"status", to_string(row.status)},
+                      {"reason", row.reason}});
+    }
+    list.push_back({{"name", table.name}, {"title", table.title}, {"source", table.source}, {"rows", rows}, {"complete", !table.interrupted}});
+  }
+  return text({{"tables", list}});
+}
+
+std::string describe(const AlgebraicNumber& x) {
+  if (x.is_rational()) return to_string(x.lower);
+  return "the root " + to_decimal(x.lower, 12, Rounding::down) + ".. of " + to_string(x.polynomial, "x");
+}
+
+std::string jsr_json(const RadiusReport& report, int digits) {
+  const SpectralRadiusBounds& bounds = report.bounds;
+  return text({{"lower", to_string(bounds.lower)},
+               {"upper", to_string(bounds.upper)},
+               {"lower_decimal", to_decimal(bounds.lower, digits, Rounding::down)},
+               {"upper_decimal", to_decimal(bounds.upper, digits, Rounding::up)},
+               {"word", bounds.word},
+               {"exact", algebraic_json(bounds.exact)},
+               {"blocks", bounds.form.sizes},
+               {"certificate", report.certificate}});
+}
+
+std::string holder_json(const HolderReport& report, int digits) {
+  const HoelderExponent& exponent = report.exponent;
+  const auto end = [](const std::optional<Rational>& x) { return x ? Json(to_string(*x)) : Json(nullptr); };
+  const auto decimal = [&](const std::optional<Rational>& x, Rounding rounding) {
+    return x ? Json(to_decimal(*x, digits, rounding)) : Json(nullptr);
+  };
+  Json json{{"lower", end(exponent.bounds.lower)},
+            {"upper", end(exponent.bounds.upper)},
+            {"lower_decimal", decimal(exponent.bounds.lower, Rounding::down)},
+            {"upper_decimal", decimal(exponent.bounds.upper, Rounding::up)},
+            {"exact", exponent.exact || (exponent.radius.exact && exponent.stability && exponent.bounds.lower)},
+            {"exact_exponent", end(exponent.exact)},
+            {"order", exponent.order},
+            {"radius", nullptr},
+            {"stability", nullptr},
+            {"sobolev", {{"lower", end(exponent.sobolev.lower)},
+                         {"upper", end(exponent.sobolev.upper)},
+                         {"lower_decimal", decimal(exponent.sobolev.lower, Rounding::down)},
+                         {"upper_decimal", decimal(exponent.sobolev.upper, Rounding::up)}}},
+            {"reason", exponent.reason},
+            {"certificate", report.certificate}};
+  if (exponent.stability)
+    json["stability"] = *exponent.stability == Stability::interpolatory ? "interpolatory" : "linear-independence";
+  if (exponent.order > 0) {
+    json["radius"] = {{"lower", to_string(exponent.radius.lower)},
+                      {"upper", to_string(exponent.radius.upper)},
+                      {"lower_decimal", to_decimal(exponent.radius.lower, digits, Rounding::down)},
+                      {"upper_decimal", to_decimal(exponent.radius.upper, digits, Rounding::up)},
+                      {"word", exponent.radius.word},
+                      {"exact", algebraic_json(exponent.radius.exact)}};
+  }
+  return text(json);
 }
 
 std::string outputs_json(const std::vector<OutputFile>& outputs) {

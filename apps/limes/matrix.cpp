@@ -3,10 +3,12 @@
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/isolated_ratio.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "analysis/nonuniform/subdivision_matrix.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/parameter_settings.hpp"
 
 #include <fmt/format.h>
 
@@ -44,6 +46,12 @@ void print_text(const MatrixReport& report) {
                            split.smoothness, split.missing_eigenvalue ? fmt::format(" (2^-{} is missing)", *split.missing_eigenvalue) : "",
                            factors_text(split.ell, report.names), factors_text(split.r, report.names));
   std::cout << fmt::format("symmetric under gamma -> 1/gamma: {}\n", split.is_symmetric() ? "yes" : "no");
+  if (!report.eigenvalues.empty()) std::cout << "eigenvalues at this ratio, by falling modulus\n";
+  for (const ComplexRoot& root : report.eigenvalues) {
+    const std::string imaginary = root.is_real() ? "" : fmt::format(" + ({}) i", to_string(ComputedValue{root.im, {}}));
+    std::cout << fmt::format("    {}{}{}\n", to_string(ComputedValue{root.re, {}}), imaginary,
+                             root.multiplicity > 1 ? fmt::format("  ({} times)", root.multiplicity) : "");
+  }
 }
 
 std::string latex_coefficient(const MultivariatePolynomial& d, const VariableNames& names) {
@@ -81,22 +89,35 @@ void print_latex(const MatrixReport& report) {
                            product(report.split.r));
 }
 
+/// \throws InputError when a parameter has no single value
+std::vector<ComplexRoot> eigenvalues_at(const SubdivisionMatrix& matrix, const Box& region, const Rational& gamma) {
+  if (!is_point(region)) throw InputError("eigenvalues at a knot ratio need one value of every parameter, --param NAME=VALUE");
+  std::vector<Rational> point = midpoint(region);
+  point.push_back(gamma);
+  return enclose_complex_roots(characteristic_polynomial(matrix.at(point)));
+}
+
 }  // namespace
 
 int run_matrix(const MatrixOptions& options) {
   const Session session(options);
   const Scheme scheme = load_scheme(options.scheme);
+  require_one_mask(scheme, "matrix");
   if (!scheme.insertion_rule) {
     throw InputError(fmt::format("{} is a {} scheme; the subdivision matrix belongs to a non-uniform one", scheme.name,
                                  to_string(scheme.kind)));
   }
-  const Box region = region_from_settings(scheme, options.parameters);
+  std::vector<std::string> settings = options.parameters;
+  const std::optional<Rational> gamma = take_setting(settings, "gamma");
+  if (gamma && *gamma <= 0) throw InputError("--param gamma: a knot ratio is positive");
+  const Box region = region_from_settings(scheme, settings);
   std::vector<std::vector<RationalFunction>> stencils = isolated_ratio_stencils(*scheme.insertion_rule, region);
   const SubdivisionMatrix matrix = SubdivisionMatrix::from_stencils(std::move(stencils));
   VariableNames names = scheme.parameter_names();
   names.emplace_back("gamma");
   const MatrixReport report{scheme, matrix, names,
-                            split_characteristic_polynomial(matrix, polynomial_eigenvalues(matrix), session.stop())};
+                            split_characteristic_polynomial(matrix, polynomial_eigenvalues(matrix), session.stop()),
+                            gamma ? eigenvalues_at(matrix, region, *gamma) : std::vector<ComplexRoot>{}};
   if (options.json) {
     std::cout << matrix_json(report);
   } else if (options.latex) {

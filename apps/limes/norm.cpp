@@ -6,6 +6,7 @@
 #include "analysis/uniform/contractivity_bound.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/parameter_settings.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ namespace limes::app {
 int run_norm(const NormOptions& options) {
   const Session session(options);
   const Scheme scheme = load_scheme(options.scheme);
+  require_one_mask(scheme, "norm");
   const Box region = region_from_settings(scheme, options.parameters);
   for (std::size_t k = 0; k < region.size(); ++k) {
     if (region[k].is_point()) continue;

@@ -1,8 +1,10 @@
 #include "apps/limes/json_output.hpp"
 #include "apps/limes/options.hpp"
+#include "apps/limes/refine_surface.hpp"
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
+#include "analysis/nonstationary/space_moments.hpp"
 #include "geometry/io/csv.hpp"
 #include "geometry/knots.hpp"
 #include "geometry/refine_polygon.hpp"
@@ -26,7 +28,10 @@ std::string kind_of(const std::filesystem::path& file) {
 }
 
 std::vector<Rational> parameter_values(const Scheme& scheme, const std::vector<std::string>& settings) {
-  const Box region = region_from_settings(scheme, settings);
+  Box region = region_from_settings(scheme, settings);
+  if (scheme.sequence && region.front().width() < power(Rational(2), -100)) {  // an angle with pi
+    region.front() = Interval::point(region.front().midpoint());
+  }
   for (std::size_t k = 0; k < region.size(); ++k) {
     if (region[k].is_point()) continue;
     throw InputError(
@@ -57,17 +62,33 @@ struct Refined {
   std::string title;
 };
 
-Refined refined(const RefineOptions& options, const Stop& stop) {
-  const Scheme scheme = load_scheme(options.scheme);
+NonstationaryRule nonstationary_rule(const MaskSequence& sequence, AngleType type, const Rational& angle, const Refinement& refinement) {
+  NonstationaryRule rule = approx_nonstationary_rule(sequence, type, angle, refinement.levels);
+  if (refinement.ends != EndRule::exact) return rule;
+  // Where exponents collide, at theta = 0, more polynomials may be reproduced than at other angles.
+  std::vector<ExponentialFunction> space = reproduced_space(sequence, type, false);
+  if (angle == 0) space = reproduced_polynomials(sequence);
+  if (space.empty()) throw InputError("--ends exact: the scheme reproduces no function");
+  rule.continuation = approx_continuation(space, approx_double(angle));
+  return rule;
+}
+
+Refined refined(const Scheme& scheme, const RefineOptions& options, const Stop& stop) {
   const std::vector<Rational> values = parameter_values(scheme, options.parameters);
   const NumberTable table = read_csv_file(options.data);
   Polygon polygon = polygon_from(table, options.closed);
   Refinement refinement{options.levels, EndRule::automatic};
   if (options.ends == "extend") refinement.ends = EndRule::extend;
   if (options.ends == "shrink") refinement.ends = EndRule::shrink;
+  if (options.ends == "exact") {
+    refinement.ends = EndRule::exact;
+    if (!scheme.sequence) throw InputError(fmt::format("--ends exact: {} is not a nonstationary scheme", scheme.name));
+  }
   std::string title = scheme.name;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    title += fmt::format(", {} = {}", scheme.parameters[k].name, to_string(values[k]));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    title += fmt::format(", {} = {}", scheme.parameters[k].name,
+                         scheme.sequence ? to_decimal(values[k], 6, Rounding::nearest) : to_string(values[k]));
+  }
   try {
     if (scheme.kind == SchemeKind::nonuniform) {
       const std::string knots = options.knots.empty() ? to_string(KnotSpacing::centripetal) : options.knots;
@@ -78,7 +99,13 @@ Refined refined(const RefineOptions& options, const Stop& stop) {
     }
     if (!options.knots.empty() && options.knots != to_string(KnotSpacing::uniform)) {
       throw InputError(
-          fmt::format("--knots {}: {} is a uniform scheme, its knots are equally spaced", options.knots, scheme.name));
+          fmt::format("--knots {}: {} is a {} scheme, its knots are equally spaced", options.knots, scheme.name, to_string(scheme.kind)));
+    }
+    if (scheme.sequence) {
+      const AngleType type = type_from_settings(scheme, options.parameters);
+      if (scheme.sequence->types.size() > 1) title += ", " + (values.front() == 0 ? "polynomial" : to_string(type));
+      return {polygon, refine_polygon(polygon, nonstationary_rule(*scheme.sequence, type, values.front(), refinement), refinement, stop),
+              title};
     }
     return {polygon, refine_polygon(polygon, approx_uniform_rule(scheme.mask, values), refinement, stop), title};
   } catch (const InputError& error) {
@@ -99,9 +126,12 @@ std::string content(const std::string& kind, const Refined& what, const RefineOp
 
 int run_refine(const RefineOptions& options) {
   const Session session(options);
+  const Scheme scheme = load_scheme(options.scheme);
+  if (scheme.surface) return refine_surface(scheme, options, session.stop());
+  if (!options.net.empty()) throw InputError(fmt::format("--net: {} is no surface scheme", scheme.name));
   std::vector<OutputFile> outputs;
   for (const std::filesystem::path& file : options.outputs) outputs.push_back({file.string(), kind_of(file)});
-  const Refined what = refined(options, session.stop());
+  const Refined what = refined(scheme, options, session.stop());
   for (const OutputFile& output : outputs) {
     if (output.kind != "csv" && what.data.dimension() < 2) {
       throw InputError(fmt::format("-o {}: a picture needs points with at least two coordinates", output.file));

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "algebra/polynomial/box.hpp"
 #include "algebra/stop.hpp"
 #include "apps/limes/options.hpp"
-#include "schemes/scheme.hpp"
+#include "schemes/parameter_settings.hpp"
 
 #include <memory>
 #include <string>
@@ -41,12 +40,8 @@ class Progress {
 /// Whether standard output takes colour: a terminal, and NO_COLOR is not set.
 bool colour_on_stdout();
 
-/// The scheme's parameter box with the "name=value" settings put in. \throws InputError: no such parameter, given twice, no
-/// interval, outside of the parameter's range.
-Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& settings);
-
-/// "w in [0, 1/4], mu = 1/9", "-" without parameters.
-std::string region_text(const Scheme& scheme, const Box& region);
+/// Makes a directory for certificates, if there is none. \throws InputError
+void make_directory(const std::filesystem::path& directory);
 
 /// Writes a file as a whole or not at all (a temporary file, then renamed). \throws InputError
 void write_file(const std::filesystem::path& file, const std::string& text);

@@ -1,3 +1,4 @@
+#include "apps/limes/claims.hpp"
 #include "apps/limes/json_output.hpp"
 #include "apps/limes/options.hpp"
 #include "apps/limes/session.hpp"
@@ -5,7 +6,6 @@
 #include "algebra/error.hpp"
 #include "proofs/prove.hpp"
 #include "reports/text_table.hpp"
-#include "schemes/catalogue.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -13,56 +13,11 @@
 #include <chrono>
 #include <iostream>
 #include <mutex>
-#include <set>
 
 namespace limes::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<Scheme> load_schemes(const VerifyOptions& options) {
-  const std::vector<std::string> names = options.schemes.empty() ? Catalogue::find().names() : options.schemes;
-  std::vector<Scheme> schemes;
-  std::set<std::string> seen;
-  for (const std::string& name : names) {
-    schemes.push_back(load_scheme(name));
-    if (!seen.insert(schemes.back().name).second) {
-      throw InputError(fmt::format("two schemes are named '{}'; their certificates would overwrite each other", schemes.back().name),
-                       {schemes.back().file.string(), 0, 0});
-    }
-  }
-  return schemes;
-}
-
-/// The claims to decide: the file's own; or --claim on the region that --param gives; or, with --param alone, the file's certified claims that
-/// cover that region, restated on it.
-std::vector<Claim> claims_to_decide(const Scheme& scheme, const VerifyOptions& options) {
-  if (!options.claim && options.parameters.empty()) return scheme.claims;
-  const Box region = region_from_settings(scheme, options.parameters);
-  std::vector<Claim> claims;
-  if (options.claim) {
-    claims.push_back(read_statement(*options.claim));
-    claims.back().region = region;
-    return claims;
-  }
-  std::set<std::string> stated;
-  for (Claim claim : scheme.claims) {
-    if (claim.expected != Outcome::certified || !contains(claim.region, region) || !stated.insert(statement(claim)).second) continue;
-    claim.region = region;
-    claims.push_back(claim);
-  }
-  if (claims.empty()) {
-    throw InputError(fmt::format("{} makes no claim that covers {}; ask for one with --claim", scheme.name, region_text(scheme, region)));
-  }
-  return claims;
-}
-
-/// "four-point.2.C1.json" for the file's second claim, "four-point.asked.1.C1.json" for the first one of the command line.
-std::string certificate_name(const Scheme& scheme, const Claim& claim, std::size_t index, bool asked) {
-  std::string claim_text = statement(claim);
-  std::replace(claim_text.begin(), claim_text.end(), ' ', '-');
-  return fmt::format("{}.{}{}.{}.json", scheme.name, asked ? "asked." : "", index + 1, claim_text);
-}
 
 class Verification {
  public:
@@ -72,13 +27,13 @@ class Verification {
                 {"leaves", 0, TextTable::Align::right}, {"time", 8, TextTable::Align::right}}) {
     const bool asked = options.claim || !options.parameters.empty();
     for (const Scheme& scheme : schemes) {
-      const std::vector<Claim> claims = claims_to_decide(scheme, options);
+      const std::vector<Claim> claims = claims_to_decide(scheme, options.claim, options.parameters);
       for (std::size_t k = 0; k < claims.size(); ++k) {
         results_.push_back({.scheme = &scheme, .claim = claims[k], .verdict = {}, .seconds = 0, .certificate = {}});
         files_.push_back(options.certificates / certificate_name(scheme, claims[k], k, asked));
         table_.fit(0, scheme.name);
         table_.fit(1, statement(claims[k]));
-        table_.fit(2, region_text(scheme, claims[k].region));
+        table_.fit(2, region_text(scheme, claims[k]));
       }
     }
     done_.assign(results_.size(), false);
@@ -139,7 +94,7 @@ class Verification {
       if (options_.quiet && expected) continue;
       progress_.clear();
       const int level = result.verdict.level();
-      std::string row = table_.row({result.scheme->name, statement(result.claim), region_text(*result.scheme, result.claim.region),
+      std::string row = table_.row({result.scheme->name, statement(result.claim), region_text(*result.scheme, result.claim),
                                     to_string(result.verdict.outcome), level ? fmt::format("{}", level) : "-",
                                     result.verdict.certificate ? fmt::format("{}", result.verdict.leaf_count()) : "-",
                                     fmt::format("{:.2f} s", result.seconds)});
@@ -193,7 +148,7 @@ class Verification {
 }  // namespace
 
 int run_verify(const VerifyOptions& options) {
-  const std::vector<Scheme> schemes = load_schemes(options);
+  const std::vector<Scheme> schemes = load_schemes(options.schemes);
   return Verification(options, schemes).run();
 }
 

@@ -57,7 +57,7 @@ std::string theorem(const Certificate& certificate) {
       return "theorem N1, " + count(certificate.leaves.size(), "uniform ") + ", " +
              count(certificate.dominance.size(), "dominance ");
     case Theorem::N3:
-      return "theorem N3";
+      return "theorem N3, " + count(certificate.leaves.size(), "");
   }
   return "";
 }
@@ -101,6 +101,14 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"U2", check_smoothness},
     {"N1", check_smoothness},
     {"N3", check_smoothness},
+    {"S1", check_s1},
+    {"S2", check_s2},
+    {"P0", check_p0},
+    {"P1", check_p1},
+    {"P2", check_p2},
+    {"B1", check_biorthogonality},
+    {"JSR", check_joint_spectral_radius},
+    {"U3", check_hoelder_exponent},
 };
 
 std::string prove(std::string_view text) {
@@ -131,7 +139,7 @@ std::string check_smoothness(const Json& json, Budget& budget) {
       throw Rejected{"covering", "the leaves do not cover the claimed region"};
   }
   if (certificate.theorem == Theorem::N3)
-    prove_n3(certificate, budget);
+    for_each_leaf(certificate, [&](const Leaf& leaf) { prove_n3(certificate, leaf, budget); });
   else
     prove_leaves(certificate, budget);
   if (certificate.theorem == Theorem::N1) prove_n1(certificate, budget);

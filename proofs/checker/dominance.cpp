@@ -61,54 +61,6 @@ void prove_rouche(const Bernstein& r) {
   }
 }
 
-/// det(X - Y), X_ij = r_{p-j+i} for j >= i, Y_ij = r_{i+j-p} for i + j >= p (from 1, (p-1) x (p-1)), in scaled
-/// Bernstein form. That is, with x for t / (1-t), the determinant of polynomials in x whose coefficients are the scaled
-/// ones: from its values modulo enough numbers at enough points.
-std::vector<mpz_class> boundary_determinant(const Bernstein& r, std::vector<int>& degrees, Budget& budget) {
-  const std::size_t p = r.count() - 1, n = p - 1;
-  std::vector<Dense> coefficients;
-  budget.hold(static_cast<double>(r.coefficients.size()) * (40 + 8 * limbs(r)));
-  for (std::size_t s = 0; s <= p; ++s) coefficients.push_back({r.degrees, r.polynomial(s).coefficients});
-  mpz_class bound = 1;  // the product of the rows' norms
-  for (std::size_t i = 1; i <= n; ++i) {
-    mpz_class row = 1;
-    for (std::size_t j = i; j <= n; ++j) row += norm(coefficients[p - j + i]);
-    for (std::size_t j = p - i; j <= n; ++j) row += norm(coefficients[i + j - p]);
-    bound *= row;
-  }
-  double points = 1, sweep = 0;
-  std::vector<int> counts;
-  for (const int d : r.degrees) {
-    degrees.push_back(d * static_cast<int>(n));
-    counts.push_back(degrees.back() + 1);
-    points *= counts.back();
-    sweep += 8. * counts.back();
-  }
-  const double bits = static_cast<double>(mpz_sizeinbase(bound.get_mpz_t(), 2)) + 1, size_n = static_cast<double>(n);
-  budget.hold(points * (bits / 4 + 64));
-  const double per_modulus =
-      visit_cost(coefficients, counts) + points * (800 + 5 * size_n * size_n * size_n + sweep + 100 + bits / 8);
-  budget.work(moduli_for(bits) * per_modulus);
-  Reconstruction reconstruction(static_cast<std::size_t>(points), bound);
-  for (mpz_class q = next_modulus(); !reconstruction.is_complete(); q = next_modulus(q)) {
-    const Modulus modulus(q);
-    std::vector<Residue> values;
-    const bool done = for_each_point(modulus, coefficients, counts, 0, [&](const std::vector<Residue>& at_point) {
-      std::vector<Residue> matrix(n * n, 0);
-      for (std::size_t i = 1; i <= n; ++i)
-        for (std::size_t j = 1; j <= n; ++j) {
-          Residue& entry = matrix[(i - 1) * n + j - 1];
-          if (j >= i) entry = at_point[p - j + i];
-          if (i + j >= p) entry = modulus.minus(entry, at_point[i + j - p]);
-        }
-      values.push_back(0);
-      return determinant(modulus, std::move(matrix), n, values.back());
-    });
-    if (done && interpolate(modulus, values, counts)) reconstruction.add(modulus, values);
-  }
-  return reconstruction.result();
-}
-
 /// The roots vary continuously and are inside at the midpoint; on the way out one of them is 1 or -1, or two of them
 /// have the product 1, which makes the determinant r_p^{p-1} prod_{i<j} (1 - z_i z_j) vanish. (r_p does not vanish
 /// before: with all roots inside all r_s would vanish with it, r(1) too.)
@@ -124,9 +76,8 @@ void prove_boundary(const Bernstein& r, const Region& box, Budget& budget) {
   if (!is_positive(at_one, r.degrees, box)) fail("r(1) is not proved positive (boundary test)");
   if (!is_positive(at_minus_one, r.degrees, box)) fail("(-1)^p r(-1) is not proved positive (boundary test)");
   if (p == 1) return;
-  std::vector<int> degrees;
-  const std::vector<mpz_class> determinant = boundary_determinant(r, degrees, budget);
-  if (!is_positive(determinant, degrees, box)) fail("the determinant is not proved positive (boundary test)");
+  const Bernstein determinant = boundary_determinant(r, budget);
+  if (!is_positive(determinant.coefficients, determinant.degrees, box)) fail("the determinant is not proved positive (boundary test)");
 }
 
 /// F(c, .) = |r(e^{it})|^2 = A_0 + 2 sum_k T_k(c) A_k, c = cos t, A_k = sum_i r_i r_{i+k}: no root ever is on the
@@ -176,26 +127,57 @@ void prove_circle(const Bernstein& r, const std::vector<mpq_class>& cuts, Budget
 
 }  // namespace
 
+// With x for t / (1-t), it is the determinant of polynomials in x whose coefficients are the scaled ones: from its
+// values modulo enough numbers at enough points.
+Bernstein boundary_determinant(const Bernstein& r, Budget& budget) {
+  const std::size_t p = r.count() - 1, n = p - 1;
+  std::vector<Dense> coefficients;
+  budget.hold(static_cast<double>(r.coefficients.size()) * (40 + 8 * limbs(r)));
+  for (std::size_t s = 0; s <= p; ++s) coefficients.push_back({r.degrees, r.polynomial(s).coefficients});
+  mpz_class bound = 1;  // the product of the rows' norms
+  for (std::size_t i = 1; i <= n; ++i) {
+    mpz_class row = 1;
+    for (std::size_t j = i; j <= n; ++j) row += norm(coefficients[p - j + i]);
+    for (std::size_t j = p - i; j <= n; ++j) row += norm(coefficients[i + j - p]);
+    bound *= row;
+  }
+  double points = 1, sweep = 0;
+  std::vector<int> degrees, counts;
+  for (const int d : r.degrees) {
+    degrees.push_back(d * static_cast<int>(n));
+    counts.push_back(degrees.back() + 1);
+    points *= counts.back();
+    sweep += 8. * counts.back();
+  }
+  const double bits = static_cast<double>(mpz_sizeinbase(bound.get_mpz_t(), 2)) + 1, size_n = static_cast<double>(n);
+  budget.hold(points * (bits / 4 + 64));
+  const double per_modulus =
+      visit_cost(coefficients, counts) + points * (800 + 5 * size_n * size_n * size_n + sweep + 100 + bits / 8);
+  budget.work(moduli_for(bits) * per_modulus);
+  Reconstruction reconstruction(static_cast<std::size_t>(points), bound);
+  for (mpz_class q = next_modulus(); !reconstruction.is_complete(); q = next_modulus(q)) {
+    const Modulus modulus(q);
+    std::vector<Residue> values;
+    const bool done = for_each_point(modulus, coefficients, counts, 0, [&](const std::vector<Residue>& at_point) {
+      std::vector<Residue> matrix(n * n, 0);
+      for (std::size_t i = 1; i <= n; ++i)
+        for (std::size_t j = 1; j <= n; ++j) {
+          Residue& entry = matrix[(i - 1) * n + j - 1];
+          if (j >= i) entry = at_point[p - j + i];
+          if (i + j >= p) entry = modulus.minus(entry, at_point[i + j - p]);
+        }
+      values.push_back(0);
+      return determinant(modulus, std::move(matrix), n, values.back());
+    });
+    if (done && interpolate(modulus, values, counts, 0)) reconstruction.add(modulus, values);
+  }
+  return {degrees, reconstruction.result()};
+}
+
 void prove_dominance(const Factor& factor, int order, const Dominance& leaf, Budget& budget) {
   budget.start_leaf();
-  std::vector<Polynomial> polynomials = factor.coefficients;
-  for (const auto& d : polynomials) budget.work(1000 + 200. * static_cast<double>(d.size()));
-  std::vector<std::size_t> axes;
-  std::vector<int> degrees;
   Region box;
-  for (std::size_t k = 0; k < leaf.region.size(); ++k) {
-    if (leaf.region[k].is_point()) {
-      for (auto& d : polynomials) d = substitute(d, k, leaf.region[k].lower.value, budget);
-    } else {
-      axes.push_back(k);
-      box.push_back(leaf.region[k]);
-    }
-  }
-  for (const std::size_t k : axes) {
-    degrees.push_back(0);
-    for (const auto& d : polynomials) degrees.back() = std::max(degrees.back(), degree(d, k));
-  }
-  Bernstein r = to_bernstein(polynomials, leaf.region, axes, degrees, budget);
+  Bernstein r = on_region(factor.coefficients, leaf.region, box, budget);
   budget.work(static_cast<double>(r.coefficients.size()) * (500 + 10 * limbs(r) * limbs(r) + order));
   divide_common_powers(r, box);
   mpz_class content = 0;
@@ -213,6 +195,7 @@ void prove_dominance(const Factor& factor, int order, const Dominance& leaf, Bud
   if (midpoint[p] < 0)
     for (auto& c : r.coefficients) c = -c;
   if (leaf.test == Dominance::Test::rouche) return prove_rouche(r);
+  if (leaf.test == Dominance::Test::separation) return prove_separation(r, order, leaf, budget);
   if (!all_roots_inside(midpoint, budget)) fail("at the leaf's midpoint not all roots are inside");
   if (leaf.test == Dominance::Test::boundary)
     prove_boundary(r, box, budget);

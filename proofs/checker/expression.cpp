@@ -3,46 +3,28 @@
 //     expression = term { ("+" | "-") term }        factor  = "-" factor | primary [ "^" digits ]
 //     term       = factor { ("*" | "/") factor }    primary = digits | name | "(" expression ")"     (and blanks)
 #include "proofs/checker/polynomial.hpp"
+#include "proofs/checker/scanner.hpp"
 
 #include <algorithm>
 
 namespace limes::checker {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_name_part(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
-
-class Parser {
+class Parser : Scanner {
  public:
-  Parser(std::string_view text, const std::vector<std::string>& parameters, Budget& budget)
-      : text_(text), parameters_(parameters), budget_(budget) {}
+  Parser(const std::vector<std::string>& parameters, Budget& budget)
+      : Scanner("expression", budget), parameters_(parameters) {}
 
-  Fraction whole() {
+  Fraction whole(std::string_view text) {
+    start(text);
     Fraction result = expression();
-    if (position_ < text_.size()) fail("has an unexpected character");
+    if (!at_end()) fail("has an unexpected character");
     return result;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& why) const {
-    throw Rejected{"scheme", "expression " + quoted(text_) + " " + why + " at column " + std::to_string(position_ + 1)};
-  }
-  bool take(char c) {
-    while (position_ < text_.size() && text_[position_] == ' ') ++position_;
-    if (position_ == text_.size() || text_[position_] != c) return false;
-    budget_.work(1000);
-    ++position_;
-    return true;
-  }
-  std::string_view token(bool (*part)(char)) {
-    const std::size_t start = position_;
-    while (position_ < text_.size() && part(text_[position_])) ++position_;
-    return text_.substr(start, position_ - start);
-  }
-
   Fraction expression() {
-    if (++depth_ > 101) fail("is nested more than 100 deep");
+    enter();
     Fraction result = term();
     for (;;) {
       const bool minus = take('-');
@@ -50,7 +32,7 @@ class Parser {
       const Fraction x = term();
       result = sum(std::move(result), minus ? negative(x) : x, budget_);
     }
-    --depth_;
+    leave();
     return result;
   }
   Fraction term() {
@@ -69,29 +51,21 @@ class Parser {
   }
   Fraction factor() {
     if (take('-')) {
-      if (++depth_ > 101) fail("is nested more than 100 deep");
+      enter();
       const Fraction result = factor();
-      --depth_;
+      leave();
       return negative(result);
     }
     const Fraction base = primary();
-    if (!take('^')) return base;
-    take(' ');
-    const std::string_view digits = token(is_digit);
-    const int exponent = digits.empty() || digits.size() > 4 ? 1001 : std::stoi(std::string(digits));
-    if (exponent > 1000) fail("needs an integer exponent from 0 to 1000");
-    return power(base, exponent, budget_);
+    return take('^') ? power(base, exponent(), budget_) : base;
   }
   Fraction primary() {
     if (take('(')) {
       Fraction result = expression();
-      if (!take(')')) fail("lacks a closing parenthesis");
+      expect(')');
       return result;
     }
-    if (const std::string_view digits = token(is_digit); !digits.empty()) {
-      budget_.work(static_cast<double>(digits.size() * digits.size()));
-      return {constant(read_rational(digits, "scheme")), constant(1)};
-    }
+    if (mpq_class value; take_natural(value)) return {constant(value), constant(1)};
     const auto found = std::find(parameters_.begin(), parameters_.end(), token(is_name_part));
     if (found == parameters_.end()) fail("has something else than a number, a parameter or a parenthesis");
     return {variable(static_cast<std::size_t>(found - parameters_.begin())), constant(1)};
@@ -99,11 +73,7 @@ class Parser {
 
   Fraction negative(const Fraction& x) { return {multiply(x.numerator, constant(-1), budget_), x.denominator}; }
 
-  std::string_view text_;
   const std::vector<std::string>& parameters_;
-  Budget& budget_;
-  std::size_t position_ = 0;
-  int depth_ = 0;
 };
 
 }  // namespace
@@ -114,8 +84,7 @@ bool is_name(std::string_view text) {
 }
 
 Fraction read_expression(std::string_view text, const std::vector<std::string>& parameters, Budget& budget) {
-  if (text.size() > 100000) throw Rejected{"scheme", "an expression has more than 100000 characters"};
-  return Parser(text, parameters, budget).whole();
+  return Parser(parameters, budget).whole(text);
 }
 
 }  // namespace limes::checker

@@ -24,28 +24,33 @@ Bernstein divide(Bernstein& symbol, const std::vector<mpz_class>& divisor, Budge
 
 }  // namespace
 
-LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf, Budget& budget) {
-  budget.start_leaf();
-  LocalScheme local;
-  local.arity = scheme.arity;
-  std::vector<Polynomial> polynomials = scheme.mask;
-  polynomials.push_back(scheme.denominator);
+Bernstein on_region(std::vector<Polynomial> polynomials, const Region& region, Region& box, Budget& budget) {
   for (const auto& p : polynomials) budget.work(1000 + 200. * static_cast<double>(p.size()));
   std::vector<std::size_t> axes;
   std::vector<int> degrees;
-  for (std::size_t k = 0; k < leaf.size(); ++k) {
-    if (leaf[k].is_point()) {
-      for (auto& p : polynomials) p = substitute(p, k, leaf[k].lower.value, budget);
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    if (region[k].is_point()) {
+      for (auto& p : polynomials) p = substitute(p, k, region[k].lower.value, budget);
     } else {
       axes.push_back(k);
-      local.box.push_back(leaf[k]);
+      box.push_back(region[k]);
     }
   }
   for (const std::size_t k : axes) {
     degrees.push_back(0);
     for (const auto& p : polynomials) degrees.back() = std::max(degrees.back(), degree(p, k));
   }
-  local.mask = to_bernstein(polynomials, leaf, axes, degrees, budget);
+  return to_bernstein(polynomials, region, axes, degrees, budget);
+}
+
+LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf, Budget& budget) {
+  budget.start_leaf();
+  LocalScheme local;
+  local.arity = scheme.arity;
+  std::vector<Polynomial> polynomials = scheme.mask;
+  polynomials.push_back(scheme.denominator);
+  local.mask = on_region(std::move(polynomials), leaf, local.box, budget);
+  const std::vector<int> degrees = local.mask.degrees;
   local.denominator = local.mask.polynomial(scheme.mask.size());
 
   if (!is_positive(local.denominator.coefficients, degrees, local.box)) {

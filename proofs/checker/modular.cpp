@@ -153,20 +153,20 @@ double visit_cost(const std::vector<Dense>& polynomials, const std::vector<int>&
   return result;
 }
 
-bool interpolate(const Modulus& f, std::vector<Residue>& values, const std::vector<int>& counts) {
+bool interpolate(const Modulus& f, std::vector<Residue>& values, const std::vector<int>& counts, int start) {
   std::size_t stride = values.size();
   for (const int count : counts) {
     const auto n = static_cast<std::size_t>(count);
     std::vector<Residue> inverses{0}, nodes;
-    for (std::size_t k = 0; k < n; ++k) nodes.push_back(f.from(mpz_class(k)));
+    for (std::size_t k = 0; k < n; ++k) nodes.push_back(f.from(mpz_class(start) + k));
     for (std::size_t k = 1; k < n; ++k) {
-      inverses.push_back(f.inverse(nodes[k]));
+      inverses.push_back(f.inverse(f.from(mpz_class(k))));
       if (inverses.back() == 0) return false;
     }
     const std::size_t block = stride;
     stride /= n;
-    for (std::size_t start = 0; start < values.size(); start += block) {
-      for (std::size_t offset = start; offset < start + stride; ++offset) {
+    for (std::size_t first = 0; first < values.size(); first += block) {
+      for (std::size_t offset = first; offset < first + stride; ++offset) {
         const auto at = [&](std::size_t k) -> Residue& { return values[offset + k * stride]; };
         for (std::size_t order = 1; order < n; ++order)  // Newton's divided differences
           for (std::size_t k = n - 1; k >= order; --k) at(k) = f.times(f.minus(at(k), at(k - 1)), inverses[order]);

@@ -65,9 +65,9 @@ bool for_each_point(const Modulus& modulus, const std::vector<Dense>& polynomial
 inline double charpoly_cost(double n) { return 500 * n + 15 * n * n * n; }
 double visit_cost(const std::vector<Dense>& polynomials, const std::vector<int>& counts);
 
-/// From the values at the grid 0..counts[k]-1 to the coefficients of the polynomial of degrees counts[k]-1.
-/// \returns whether the differences of the points have inverses
-bool interpolate(const Modulus& modulus, std::vector<Residue>& values, const std::vector<int>& counts);
+/// From the values at the grid start .. start + counts[k] - 1 to the coefficients of the polynomial of degrees
+/// counts[k] - 1. \returns whether the differences of the points have inverses
+bool interpolate(const Modulus& modulus, std::vector<Residue>& values, const std::vector<int>& counts, int start);
 
 /// Integers x with |x| < bound, from their residues modulo enough moduli.
 class Reconstruction {

@@ -44,26 +44,55 @@ void prove_eigenvectors(const Rule& rule, const std::vector<Stencil>& rows, int 
   }
 }
 
+/// x^n p(1/x). \pre n >= the degree of p in x
+Polynomial reversed(const Polynomial& p, std::size_t x, int n) {
+  Polynomial result;
+  for (const auto& [exponents, c] : p) {
+    Exponents mirrored = exponents;
+    mirrored[x] = static_cast<std::uint16_t>(n - exponents[x]);
+    result[mirrored] = c;
+  }
+  return result;
+}
+
 /// (e) e_{k,j}(1/gamma) = e_{2n-1-k,2n+1-j}(gamma) for k = 0..2n-1: then L(1/gamma) is L(gamma) mirrored.
 void prove_symmetry(const Rule& rule, const std::vector<Stencil>& rows, Budget& budget) {
-  const auto reversed = [&](const Polynomial& p, int n) {  // gamma^n p(1/gamma)
-    Polynomial result;
-    for (const auto& [exponents, c] : p) {
-      Exponents mirrored = exponents;
-      mirrored[rule.gamma] = static_cast<std::uint16_t>(n - exponents[rule.gamma]);
-      result[mirrored] = c;
-    }
-    return result;
-  };
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Stencil &row = rows[k], &mirrored = rows[rows.size() - 1 - k];
     int n = degree(row.denominator, rule.gamma);
     for (const auto& e : row.numerators) n = std::max(n, degree(e, rule.gamma));
-    const Polynomial denominator = reversed(row.denominator, n);
+    const Polynomial denominator = reversed(row.denominator, rule.gamma, n);
     for (std::size_t j = 0; j < row.numerators.size(); ++j)
-      if (multiply(reversed(row.numerators[j], n), mirrored.denominator, budget) !=
+      if (multiply(reversed(row.numerators[j], rule.gamma, n), mirrored.denominator, budget) !=
           multiply(mirrored.numerators[row.numerators.size() - 1 - j], denominator, budget))
         throw Rejected{"symmetry", "the stencils for gamma and 1/gamma are no mirror images"};
+  }
+}
+
+/// The factor at 1/gamma, times the least power of gamma that makes it a polynomial: for gamma > 0 with the same roots.
+Factor mirrored(const Factor& factor, std::size_t gamma) {
+  Factor result = factor;
+  int n = 0;
+  for (const auto& d : factor.coefficients) n = std::max(n, degree(d, gamma));
+  for (auto& d : result.coefficients) d = reversed(d, gamma, n);
+  return result;
+}
+
+/// (f) For the factors, or the mirrored ones, that the leaves cover (0, 1] times the claimed region.
+void prove_covering(const Certificate& certificate, bool is_mirrored, Budget& budget) {
+  Region whole = certificate.region;
+  whole.push_back({{0, true}, {1, true}, "(0, 1]"});
+  for (std::size_t k = 0; k < certificate.factors.size(); ++k) {
+    const std::string name = (is_mirrored ? "mirrored factor " : "factor ") + std::to_string(k);
+    std::vector<Region> leaves;
+    for (const auto& leaf : certificate.dominance) {
+      if (leaf.factor != k || leaf.mirrored != is_mirrored) continue;
+      if (!is_inside(leaf.region, whole))
+        throw Rejected{"covering", "a leaf of " + name + " is not inside of the claimed region times (0, 1]"};
+      leaves.push_back(leaf.region);
+    }
+    if (!covers(leaves, whole, budget))
+      throw Rejected{"covering", "the leaves of " + name + " do not cover the claimed region times (0, 1]"};
   }
 }
 
@@ -227,8 +256,8 @@ std::vector<Stencil> matrix_rows(const Rule& rule, const Region& region, Budget&
 void prove_n1(const Certificate& certificate, Budget& budget) {
   const Rule& rule = *certificate.rule;
   const int order = certificate.order, size = 2 * rule.points - 1;
-  Region whole = certificate.region;
-  whole.push_back({{0, true}, {1, true}, "(0, 1]"});
+  prove_covering(certificate, false, budget);
+  if (certificate.both_sides) prove_covering(certificate, true, budget);
   std::vector<Factor> factors = certificate.factors;
   long eigenvalues = order + 1;
   for (std::size_t k = 0; k < factors.size(); ++k) {
@@ -236,25 +265,15 @@ void prove_n1(const Certificate& certificate, Budget& budget) {
     for (std::size_t v = 0; v < certificate.region.size(); ++v)
       if (certificate.region[v].is_point())
         for (auto& d : f.coefficients) d = substitute(d, v, certificate.region[v].lower.value, budget);
-    const std::string name = "factor " + std::to_string(k);
     if (f.coefficients.back().empty())
-      throw Rejected{"characteristic", "the leading coefficient of " + name + " is zero"};
+      throw Rejected{"characteristic", "the leading coefficient of factor " + std::to_string(k) + " is zero"};
     eigenvalues += static_cast<long>(f.multiplicity) * (static_cast<long>(f.coefficients.size()) - 1);
-    std::vector<Region> leaves;
-    for (const auto& leaf : certificate.dominance) {
-      if (leaf.factor != k) continue;
-      if (!is_inside(leaf.region, whole))
-        throw Rejected{"covering", "a leaf of " + name + " is not inside of the claimed region times (0, 1]"};
-      leaves.push_back(leaf.region);
-    }
-    if (!covers(leaves, whole, budget))
-      throw Rejected{"covering", "the leaves of " + name + " do not cover the claimed region times (0, 1]"};
   }
   if (eigenvalues != size) throw Rejected{"characteristic", "the degrees of the factors do not add up to 4n-1"};
 
   const std::vector<Stencil> rows = matrix_rows(rule, certificate.region, budget);
   prove_eigenvectors(rule, rows, order, budget);
-  prove_symmetry(rule, rows, budget);
+  if (!certificate.both_sides) prove_symmetry(rule, rows, budget);
   std::vector<std::size_t> variables{rule.gamma};
   for (std::size_t v = 0; v < certificate.region.size(); ++v)
     if (!certificate.region[v].is_point()) variables.push_back(v);
@@ -262,7 +281,8 @@ void prove_n1(const Certificate& certificate, Budget& budget) {
   for (std::size_t i = 0; i < certificate.dominance.size(); ++i) {
     const Dominance& leaf = certificate.dominance[i];
     try {
-      prove_dominance(factors[leaf.factor], order, leaf, budget);
+      const Factor& factor = factors[leaf.factor];
+      prove_dominance(leaf.mirrored ? mirrored(factor, rule.gamma) : factor, order, leaf, budget);
     } catch (const Rejected& rejected) {
       throw Rejected{rejected.step, "dominance leaf " + std::to_string(i + 1) + ": " + rejected.reason};
     }

@@ -25,6 +25,8 @@ Scheme read_head(const Reader& reader) {
   return scheme;
 }
 
+}  // namespace
+
 Scheme read_uniform_scheme(const Json& json, Budget& budget) {
   const Reader reader(json, "scheme", "the scheme", {"kind", "name", "parameters", "arity", "first_index", "mask"});
   Scheme scheme = read_head(reader);
@@ -45,6 +47,8 @@ Scheme read_uniform_scheme(const Json& json, Budget& budget) {
   }
   return scheme;
 }
+
+namespace {
 
 /// The rule, and the scheme for equal intervals: a_0 = 1, and a_{1-2o} is the weight of p_{i+o}.
 void read_nonuniform_scheme(const Json& json, Certificate& certificate, Budget& budget) {
@@ -99,7 +103,7 @@ Leaf read_leaf(const Json& json, const std::string& where, const Certificate& ce
   const bool polytope = smooth && json.is_object() && json.contains("polytope");
   const char* witness = polytope ? "polytope" : smooth ? "level" : missing ? "missing_factor" : "word";
   const Reader reader(json, "proof", where, {"region", witness});
-  Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, missing, {}, nullptr};
+  Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, missing, {}, 0, nullptr};
   if (polytope) {
     leaf.polytope = &reader.at("polytope");
   } else if (smooth) {
@@ -121,20 +125,65 @@ void read_leaves(const Reader& proof, Certificate& certificate, Budget& budget) 
 }
 
 /// A polynomial in the parameters and gamma.
-Polynomial read_coefficient(const Reader& reader, const Json& text, const std::vector<std::string>& names,
-                            Budget& budget) {
-  const std::string& expression = reader.text(text, "a coefficient of a factor");
+Polynomial read_polynomial(const Reader& reader, const Json& text, const std::string& what,
+                           const std::vector<std::string>& names, Budget& budget) {
+  const std::string& expression = reader.text(text, what);
   try {
     const Fraction result = read_expression(expression, names, budget);
     if (result.denominator == constant(1)) return result.numerator;
   } catch (const Rejected& rejected) {
     throw Rejected{rejected.step == "scheme" ? "proof" : rejected.step, rejected.reason};
   }
-  reader.fail("has a factor that is no polynomial in the parameters and gamma");
+  reader.fail("has as " + what + " something that is no polynomial in the parameters and gamma");
+}
+
+/// The rationals of a list, each of which is called `what`.
+std::vector<mpq_class> read_rationals(const Reader& reader, const char* key, const std::string& what, Budget& budget) {
+  std::vector<mpq_class> result;
+  for (const Json& element : reader.list(key, 0, 10000)) {
+    const std::string& text = reader.text(element, what);
+    budget.work(1000 + 2. * static_cast<double>(text.size() * text.size()));
+    budget.hold(100 + static_cast<double>(text.size()));
+    result.push_back(read_rational(text, "proof"));
+  }
+  return result;
+}
+
+Dominance read_dominance(const Json& json, const std::string& where, const std::vector<std::string>& names, int factors,
+                         Budget& budget) {
+  std::vector<std::string> keys{"factor", "region", "test"};
+  for (const char* key : {"c", "curves", "distances"})
+    if (json.is_object() && json.contains(key)) keys.emplace_back(key);
+  const Reader reader(json, "proof", where, keys);
+  Dominance result;
+  result.factor = static_cast<std::size_t>(reader.integer(reader.at("factor"), "factor", 0, factors - 1));
+  result.region = reader.region(names, budget);
+  const std::string& test = reader.text(reader.at("test"), "test");
+  using Test = Dominance::Test;
+  result.test = test == "rouche"     ? Test::rouche
+                : test == "boundary" ? Test::boundary
+                : test == "circle"   ? Test::circle
+                                     : Test::separation;
+  if (result.test == Test::separation && test != "separation") reader.fail("has an unknown test");
+  if (result.test == Test::separation && !json.contains("curves")) reader.fail("lacks the key curves");
+  for (const auto& key : keys) {
+    if (key == "c" && result.test != Test::circle) reader.fail("has cuts although its test is not circle");
+    if ((key == "curves" || key == "distances") && result.test != Test::separation)
+      reader.fail("has " + key + " although its test is not separation");
+    if (key == "c") result.cuts = read_rationals(reader, "c", "a cut", budget);
+    if (key == "distances") result.distances = read_rationals(reader, "distances", "a distance", budget);
+    if (key != "curves") continue;
+    for (const Json& text : reader.list("curves", 0, 200))
+      result.curves.push_back(read_polynomial(reader, text, "a curve", names, budget));
+  }
+  return result;
 }
 
 void read_n1(const Json& json, Certificate& certificate, Budget& budget) {
-  const Reader proof(json, "proof", "the proof", {"uniform", "factors", "multiplicities", "dominance"});
+  std::vector<std::string> keys{"uniform", "factors", "multiplicities", "dominance"};
+  certificate.both_sides = json.is_object() && json.contains("mirrored");
+  if (certificate.both_sides) keys.emplace_back("mirrored");
+  const Reader proof(json, "proof", "the proof", keys);
   read_leaves(Reader(proof.at("uniform"), "proof", "the uniform part", {"leaves"}), certificate, budget);
   std::vector<std::string> names = certificate.scheme.parameters;
   names.emplace_back("gamma");
@@ -143,43 +192,38 @@ void read_n1(const Json& json, Certificate& certificate, Budget& budget) {
     if (!coefficients.is_array() || coefficients.size() < 2 || coefficients.size() > size)
       proof.fail("needs lists of coefficients d_0, .., d_p with p >= 1 as factors");
     Factor& factor = certificate.factors.emplace_back();
-    for (const Json& text : coefficients) factor.coefficients.push_back(read_coefficient(proof, text, names, budget));
+    for (const Json& text : coefficients)
+      factor.coefficients.push_back(read_polynomial(proof, text, "a coefficient of a factor", names, budget));
   }
   const Json& multiplicities = proof.list("multiplicities", certificate.factors.size(), certificate.factors.size());
   for (std::size_t k = 0; k < certificate.factors.size(); ++k)
     certificate.factors[k].multiplicity = proof.integer(multiplicities[k], "a multiplicity", 1, static_cast<int>(size));
-  for (const Json& leaf : proof.list("dominance", 0, 100000)) {
-    const std::string where = "dominance leaf " + std::to_string(certificate.dominance.size() + 1);
-    std::vector<std::string> keys{"factor", "region", "test"};
-    if (leaf.is_object() && leaf.contains("c")) keys.emplace_back("c");
-    const Reader reader(leaf, "proof", where, keys);
-    Dominance& result = certificate.dominance.emplace_back();
-    result.factor = static_cast<std::size_t>(
-        reader.integer(reader.at("factor"), "factor", 0, static_cast<int>(certificate.factors.size()) - 1));
-    result.region = reader.region(names, budget);
-    const std::string& test = reader.text(reader.at("test"), "test");
-    using Test = Dominance::Test;
-    result.test = test == "rouche" ? Test::rouche : test == "boundary" ? Test::boundary : Test::circle;
-    if (result.test == Test::circle && test != "circle") reader.fail("has an unknown test");
-    if (keys.size() == 3) continue;
-    if (result.test != Test::circle) reader.fail("has cuts although its test is not circle");
-    for (const Json& cut : reader.list("c", 0, 10000)) {
-      const std::string& text = reader.text(cut, "a cut");
-      budget.work(1000 + 2. * static_cast<double>(text.size() * text.size()));
-      budget.hold(100 + static_cast<double>(text.size()));
-      result.cuts.push_back(read_rational(text, "proof"));
+  for (const bool mirrored : {false, true}) {
+    if (mirrored && !certificate.both_sides) break;
+    int count = 0;
+    for (const Json& leaf : proof.list(mirrored ? "mirrored" : "dominance", 0, 100000)) {
+      const std::string where = (mirrored ? "mirrored leaf " : "dominance leaf ") + std::to_string(++count);
+      certificate.dominance.push_back(
+          read_dominance(leaf, where, names, static_cast<int>(certificate.factors.size()), budget));
+      certificate.dominance.back().mirrored = mirrored;
     }
   }
 }
 
+/// Leaves, or what is in a leaf alone.
 void read_n3(const Json& json, Certificate& certificate, Budget& budget) {
-  const Reader proof(json, "proof", "the proof", {"region", "gamma"});
-  certificate.leaves.push_back({proof.region(certificate.scheme.parameters, budget), 0, false, {}, nullptr});
-  for (const Interval& interval : certificate.leaves.front().region)
-    if (!interval.is_point()) proof.fail("needs a region that is one point");
-  certificate.gamma = read_interval(proof.text(proof.at("gamma"), "gamma"), "proof");
-  if (!certificate.gamma.is_point() || certificate.gamma.lower.value <= 0)
-    proof.fail("needs a positive rational gamma");
+  const auto read = [&](const Json& one, const std::string& where) {
+    const Reader reader(one, "proof", where, {"region", "gamma"});
+    Leaf leaf{reader.region(certificate.scheme.parameters, budget), 0, false, {}, 0, nullptr};
+    const std::string& gamma = reader.text(reader.at("gamma"), "gamma");
+    budget.work(1000 + 2. * static_cast<double>(gamma.size() * gamma.size()));
+    leaf.gamma = read_rational(gamma, "proof");
+    if (leaf.gamma <= 0) reader.fail("needs a positive rational gamma");
+    certificate.leaves.push_back(std::move(leaf));
+  };
+  if (!json.is_object() || !json.contains("leaves")) return read(json, "the proof");
+  for (const Json& leaf : Reader(json, "proof", "the proof", {"leaves"}).list("leaves", 1, 100000))
+    read(leaf, "leaf " + std::to_string(certificate.leaves.size() + 1));
 }
 
 Theorem read_theorem(const Reader& reader) {
@@ -209,11 +253,9 @@ Certificate read_certificate(const Json& json, Budget& budget) {
   while (result.order <= 64 && statement != "C" + std::to_string(result.order)) ++result.order;
   if (result.order > 64) claim.fail("needs C<m> or not C<m> with m from 0 to 64 as statement");
   result.region = claim.region(result.scheme.parameters, budget);
-  // U1 proves C^m and so refutes not C^m; U2 the other way round. N1 only certifies; N3 is about one point.
-  const auto is_point = [](const Interval& interval) { return interval.is_point(); };
+  // U1 proves C^m and so refutes not C^m; U2 and N3 the other way round. N1 only certifies.
   const bool n1 = result.theorem == Theorem::N1, n3 = result.theorem == Theorem::N3;
-  if (result.proves_smoothness() == (result.certified == result.negated) || (n1 && !result.certified) ||
-      (n3 && result.certified && !std::all_of(result.region.begin(), result.region.end(), is_point)))
+  if (result.proves_smoothness() == (result.certified == result.negated) || (n1 && !result.certified))
     claim.fail("is not what the theorem can decide so");
   if (result.rule ? result.theorem == Theorem::U1 : n1 || n3)
     claim.fail("is about another kind of scheme than the theorem");

@@ -7,6 +7,7 @@
 //     term       = factor { ("*" | "/") factor }    primary = digits | name | function "(" arguments ")" | "(" .. ")"
 #include "proofs/checker/rule.hpp"
 #include "proofs/checker/bezier.hpp"
+#include "proofs/checker/scanner.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,9 +21,6 @@ constexpr std::array vocabulary{"f", "hermite", "degree", "tension", "join", "sp
 
 using Node = Rule::Node;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_name_part(char c) { return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 /// A number (a function of the parameters), or a node of the rule, or, as the first argument of dot, a list.
 struct Value {
   Fraction number;
@@ -32,9 +30,10 @@ struct Value {
   bool is_number() const { return node < 0 && !is_list; }
 };
 
-class RuleReader {
+class RuleReader : Scanner {
  public:
-  RuleReader(Rule& rule, const std::vector<std::string>& parameters, Budget& budget) : rule_(rule), budget_(budget) {
+  RuleReader(Rule& rule, const std::vector<std::string>& parameters, Budget& budget)
+      : Scanner("rule", budget), rule_(rule) {
     for (std::size_t k = 0; k < parameters.size(); ++k) names_[parameters[k]].number = {variable(k), constant(1)};
   }
 
@@ -76,42 +75,22 @@ class RuleReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& why) const {
-    throw Rejected{"scheme", "rule " + quoted(text_) + " " + why + " at column " + std::to_string(position_ + 1)};
-  }
-  bool take(char c) {
-    while (position_ < text_.size() && text_[position_] == ' ') ++position_;
-    if (position_ == text_.size() || text_[position_] != c) return false;
-    budget_.work(1000);
-    ++position_;
-    return true;
-  }
-  void expect(char c) {
-    if (!take(c)) fail(std::string("lacks ") + c);
-  }
-  std::string_view token(bool (*part)(char)) {
-    const std::size_t start = position_;
-    while (position_ < text_.size() && part(text_[position_])) ++position_;
-    return text_.substr(start, position_ - start);
-  }
-
   Value whole(std::string_view text) {
-    if (text.size() > 100000) throw Rejected{"scheme", "a rule has more than 100000 characters"};
-    text_ = text, position_ = 0, depth_ = 0;
+    start(text);
     Value result = expression();
-    if (position_ < text_.size()) fail("has an unexpected character");
+    if (!at_end()) fail("has an unexpected character");
     if (result.is_number()) remember(result.number);
     return result;
   }
   Value expression() {
-    if (++depth_ > 101) fail("is nested more than 100 deep");
+    enter();
     Value result = term();
     for (;;) {
       const bool minus = take('-');
       if (!minus && !take('+')) break;
       result = combination(result, term(), minus);
     }
-    --depth_;
+    leave();
     return result;
   }
   Value term() {
@@ -134,19 +113,15 @@ class RuleReader {
   }
   Value factor() {
     if (take('-')) {
-      if (++depth_ > 101) fail("is nested more than 100 deep");
+      enter();
       const Value result = multiple(factor(), {constant(-1)});
-      --depth_;
+      leave();
       return result;
     }
     Value base = primary();
     if (!take('^')) return base;
     if (!base.is_number()) fail("has a power of a segment or a point");
-    take(' ');
-    const std::string_view digits = token(is_digit);
-    const int exponent = digits.empty() || digits.size() > 4 ? 1001 : std::stoi(std::string(digits));
-    if (exponent > 1000) fail("needs an integer exponent from 0 to 1000");
-    base.number = power(base.number, exponent, budget_);
+    base.number = power(base.number, exponent(), budget_);
     return base;
   }
   Value primary() {
@@ -155,10 +130,7 @@ class RuleReader {
       expect(')');
       return result;
     }
-    if (const std::string_view digits = token(is_digit); !digits.empty()) {
-      budget_.work(static_cast<double>(digits.size() * digits.size()));
-      return number({constant(read_rational(digits, "scheme"))});
-    }
+    if (mpq_class value; take_natural(value)) return number({constant(value)});
     const std::string name(token(is_name_part));
     if (std::find(vocabulary.begin(), vocabulary.end(), name) != vocabulary.end()) return call(name);
     const auto found = names_.find(name);
@@ -166,7 +138,7 @@ class RuleReader {
     return found->second;
   }
   Value call(const std::string& name) {
-    if (++depth_ > 101) fail("is nested more than 100 deep");
+    enter();
     expect('(');
     std::vector<Value> arguments;
     if (name == "dot") {
@@ -183,7 +155,7 @@ class RuleReader {
     do arguments.push_back(expression());
     while (take(','));
     expect(')');
-    --depth_;
+    leave();
     const auto count = [&](std::size_t n) {
       if (arguments.size() != n) fail(name + " needs " + std::to_string(n) + " arguments");
     };
@@ -415,11 +387,7 @@ class RuleReader {
   }
 
   Rule& rule_;
-  Budget& budget_;
   std::map<std::string, Value> names_;
-  std::string_view text_;
-  std::size_t position_ = 0;
-  int depth_ = 0;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "proofs/certificate.hpp"
 #include "proofs/certificate_text_impl.hpp"
 #include "proofs/checker/checker.hpp"
+#include "schemes/nonuniform/normalized_rule.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -45,12 +46,12 @@ Json definition_of(const Scheme& scheme, int smoothness, const Box& region) {
   Certificate certificate{.scheme = scheme.name,
                           .parameters = scheme.parameter_names(),
                           .definition = scheme.mask,
-                          .claim = {.smoothness = smoothness, .negated = false, .region = region,
+                          .claim = {.smoothness = smoothness, .negated = false, .space = {}, .region = region,
                                     .expected = Outcome::certified, .source = {}, .erratum = {}},
                           .verdict = Outcome::certified,
                           .theorem = Theorem::u1,
                           .proof = LeafProof{}};
-  if (scheme.insertion_rule) certificate.definition = scheme.insertion_rule->text();
+  if (scheme.insertion_rule) certificate.definition = normalized_text(*scheme.insertion_rule);
   return Json::parse(to_json(certificate)).at("scheme");
 }
 
@@ -60,7 +61,7 @@ MapCell piece_from_json(const Json& json, const VariableNames& names, const Json
   if (verdict == "undecided") return piece;
   piece.verdict = verdict == "refuted" ? Outcome::refuted : Outcome::certified;
   const Json& certificate = json.at("certificate");
-  const Json claim{{"statement", statement({.smoothness = smoothness, .negated = piece.verdict == Outcome::refuted, .region = {},
+  const Json claim{{"statement", statement({.smoothness = smoothness, .negated = piece.verdict == Outcome::refuted, .space = {}, .region = {},
                                             .expected = Outcome::certified, .source = {}, .erratum = {}})},
                    {"region", region_to_json(piece.region, names)}};
   if (to_string(piece.verdict) != verdict || certificate.at("scheme") != definition || certificate.at("claim") != claim ||

@@ -155,7 +155,7 @@ class MapSearch {
 
   /// A proof of "C^m" or of "not C^m" on the cell: whether there is one.
   bool prove_cell(const Box& cell, bool negated, MapRecord& record) {
-    const Claim claim{.smoothness = m_, .negated = negated, .region = cell, .expected = Outcome::certified, .source = {}, .erratum = {}};
+    const Claim claim{.smoothness = m_, .negated = negated, .space = {}, .region = cell, .expected = Outcome::certified, .source = {}, .erratum = {}};
     Verdict verdict = prove_as_stated(scheme_, claim, options_.limits, stop_);
     if (verdict.interrupted) throw Interrupted(verdict.reason);
     if (verdict.outcome != Outcome::certified) {

@@ -1,6 +1,7 @@
 #include "reports/plot/layout_impl.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -79,14 +80,14 @@ class Writer {
   }
   void operator()(const PlotComb& comb) {
     const Stroke teeth{lighter(comb.stroke.color, 0.5), comb.stroke.width / 2, Dash::solid};
-    if (!comb.feet.empty()) text_ += fmt::format("  \\draw[{}]", stroke_options(teeth));
+    // One plot with gaps: much faster in TeX than separate lines.
+    if (!comb.feet.empty()) text_ += fmt::format("  \\addplot[{}, unbounded coords=jump, forget plot] coordinates {{", stroke_options(teeth));
     for (std::size_t i = 0; i < comb.feet.size(); i += std::max<std::size_t>(comb.every, 1)) {
       const PlotPoint& a = comb.feet[i];
       const PlotPoint& b = comb.tips[i];
-      text_ +=
-          fmt::format("\n    (axis cs:{},{}) -- (axis cs:{},{})", number(a.x), number(a.y), number(b.x), number(b.y));
+      text_ += fmt::format("\n    ({},{}) ({},{}) (nan,nan)", number(a.x), number(a.y), number(b.x), number(b.y));
     }
-    if (!comb.feet.empty()) text_ += ";\n";
+    if (!comb.feet.empty()) text_ += "\n  };\n";
     add(stroke_options(comb.stroke), comb.tips, comb.closed, comb.legend);
   }
   void operator()(const PlotLabel& label) {
@@ -118,13 +119,23 @@ class Writer {
   std::string labels_;
 };
 
+/// Ticks as the other writers have them: pgfplots puts powers such as 10^{-0.5} on short logarithmic axes.
+std::string tick_options(const char* axis, const Scale& scale) {
+  std::vector<std::string> values, texts;
+  for (const Tick& tick : scale.ticks) {
+    values.push_back(number(tick.value));
+    texts.push_back(fmt::format("${}$", tick.text));
+  }
+  return fmt::format("  {0}tick={{{1}}}, {0}ticklabels={{{2}}}, minor {0} tick num=0,\n", axis, fmt::join(values, ","), fmt::join(texts, ","));
+}
+
 std::string axis_options(const Plot& plot, const Layout& area) {
   const auto size = [](double points) { return decimals(points, 2); };
   std::string text = fmt::format("  scale only axis, width={}bp, height={}bp,\n  xmin={}, xmax={}, ymin={}, ymax={},\n",
                                  size(area.width), size(area.height), number(area.x.lower), number(area.x.upper),
                                  number(area.y.lower), number(area.y.upper));
-  if (plot.x.logarithmic) text += "  xmode=log,\n";
-  if (plot.y.logarithmic) text += "  ymode=log,\n";
+  if (plot.x.logarithmic) text += "  xmode=log,\n" + tick_options("x", area.x);
+  if (plot.y.logarithmic) text += "  ymode=log,\n" + tick_options("y", area.y);
   if (!plot.title.empty()) text += fmt::format("  title={{{}}},\n", escaped(plot.title));
   if (!plot.frame) return text + "  hide axis,\n";
   if (!plot.x.label.empty()) text += fmt::format("  xlabel={{{}}},\n", escaped(plot.x.label));

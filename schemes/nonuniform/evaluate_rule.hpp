@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algebra/error.hpp"
+#include "algebra/expression/bounded_arithmetic.hpp"
 #include "schemes/nonuniform/bezier_maps.hpp"
 #include "schemes/nonuniform/rule_program.hpp"
 
@@ -66,8 +67,18 @@ bool vanishes(const K& x) {
 template <class K>
 class RuleNumbers {
  public:
-  RuleNumbers(const std::vector<RationalFunction>& numbers, RuleField<K> in) : field(std::move(in)) {
+  /// \param arithmetic of rational functions, for rules that nobody has looked at; none: only the operations are counted
+  RuleNumbers(const std::vector<RationalFunction>& numbers, RuleField<K> in, BoundedArithmetic* arithmetic = nullptr)
+      : field(std::move(in)), arithmetic_(arithmetic) {
     for (const RationalFunction& number : numbers) values.push_back(field.number(number));
+  }
+
+  /// a op b for op one of + * /
+  K apply(char op, const K& a, const K& b) {
+    if constexpr (std::is_same_v<K, RationalFunction>) {
+      if (arithmetic_) return arithmetic_->apply(op, a, b, 0);
+    }
+    return op == '+' ? a + b : op == '*' ? a * b : a / b;
   }
 
   RuleField<K> field;
@@ -80,6 +91,7 @@ class RuleNumbers {
 
  private:
   std::size_t work_ = 0;
+  BoundedArithmetic* arithmetic_;
 };
 
 /// The rule around one interval i: knots[k] is t_{i-before+k}, and a point is given by its weights in the knots'
@@ -139,14 +151,13 @@ class RuleEvaluator {
   K quotient(K x, int from, int to) {
     if (from >= to) throw InternalError("a rule divides by no sum of intervals");
     if (divisors_) divisors_->emplace_back(knot(from), knot(to));
-    x /= knot(to) - knot(from);
-    return x;
+    return numbers_.apply('/', x, knot(to) - knot(from));
   }
 
   void add(Point& sum, const K& factor, const Point& point) {
     numbers_.spend(sum.size());
     for (std::size_t k = 0; k < sum.size(); ++k) {
-      if (!vanishes(point[k])) sum[k] += factor * point[k];
+      if (!vanishes(point[k])) sum[k] = numbers_.apply('+', sum[k], numbers_.apply('*', factor, point[k]));
     }
   }
 
@@ -190,8 +201,8 @@ class RuleEvaluator {
     for (int s = first; s <= last; ++s) {
       K weight = constant(1);
       for (int r = first; r <= last; ++r) {
-        if (r < s) weight *= quotient(x - knot(r), r, s);
-        if (r > s) weight *= quotient(knot(r) - x, s, r);
+        if (r < s) weight = numbers_.apply('*', weight, quotient(x - knot(r), r, s));
+        if (r > s) weight = numbers_.apply('*', weight, quotient(knot(r) - x, s, r));
       }
       result[index(s)] = weight;
     }

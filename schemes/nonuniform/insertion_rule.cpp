@@ -1,6 +1,7 @@
 #include "schemes/nonuniform/insertion_rule.hpp"
 
 #include "schemes/nonuniform/evaluate_rule.hpp"
+#include "schemes/nonuniform/segment_compiler.hpp"
 
 #include <fmt/format.h>
 
@@ -66,9 +67,10 @@ std::vector<K> from_ratios(const RuleProgram& rule, const RuleField<K>& field, s
 }
 
 template <class K>
-std::vector<K> evaluate_stencil(const RuleProgram& rule, RuleField<K> field, std::span<const K> knots) {
+std::vector<K> evaluate_stencil(const RuleProgram& rule, RuleField<K> field, std::span<const K> knots,
+                                BoundedArithmetic* arithmetic = nullptr) {
   if (!rule.coefficients.empty()) return from_ratios(rule, field, knots);
-  RuleNumbers<K> numbers(rule.numbers, std::move(field));
+  RuleNumbers<K> numbers(rule.numbers, std::move(field), arithmetic);
   RuleEvaluator<K> evaluate(rule, numbers, {knots.begin(), knots.end()}, rule.points / 2 - 1);
   return evaluate(rule.new_point, 0)[0];
 }
@@ -89,7 +91,14 @@ BezierSegment<K> evaluate_segment(const RuleProgram& rule, const std::string& na
 }  // namespace
 
 InsertionRule::InsertionRule(const InsertionRuleText& text, const VariableNames& parameters)
-    : program_(std::make_shared<const RuleProgram>(compile_rule(text, parameters))) {}
+    : program_(std::make_shared<const RuleProgram>(compile_rule(text, parameters))) {
+  for (const std::string& name : parameters) {
+    const VariableNames& functions = SegmentCompiler::vocabulary();
+    if (name == "gamma" || std::count(functions.begin(), functions.end(), name) > 0) {
+      throw InputError(fmt::format("'{}' means something else in insertion rules and cannot be a parameter", name));
+    }
+  }
+}
 
 InsertionRule::InsertionRule(const Expression& new_point, const VariableNames& parameters)
     : program_(std::make_shared<const RuleProgram>(compile_rule(new_point, parameters))) {}
@@ -122,7 +131,10 @@ std::vector<RationalFunction> InsertionRule::symbolic_stencil() const {
 }
 
 std::vector<RationalFunction> InsertionRule::uniform_stencil() const {
-  return stencil(KnotRatios::uniform(points(), parameters()).knots(parameters()));
+  // The first look at a rule from a file: the size of every result is bounded before it is computed.
+  BoundedArithmetic arithmetic;
+  const std::vector<RationalFunction> knots = KnotRatios::uniform(points(), parameters()).knots(parameters());
+  return evaluate_stencil<RationalFunction>(*program_, {parameters(), parameters()}, knots, &arithmetic);
 }
 
 BezierSegment<RationalFunction> InsertionRule::segment(const std::string& name, std::span<const RationalFunction> knots,

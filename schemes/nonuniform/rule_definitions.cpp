@@ -56,7 +56,7 @@ void RuleDefinitions::resolve(const std::string& name, Definition& definition) {
     if (is_number(definition.expression)) {
       std::size_t budget = max_number_nodes;
       definition.number = inlined(definition.expression, budget, 1);
-      to_rational_function(*definition.number, number_names_);
+      to_rational_function(*definition.number, number_names_, arithmetic_);
     } else {
       definition.node = compile_(definition.expression);
     }
@@ -81,7 +81,7 @@ bool RuleDefinitions::is_number(const Expression& e) {
 
 RationalFunction RuleDefinitions::number(const Expression& e) {
   std::size_t budget = max_number_nodes;
-  return to_rational_function(inlined(e, budget, 1), number_names_);
+  return to_rational_function(inlined(e, budget, 1), number_names_, arithmetic_);
 }
 
 int RuleDefinitions::node(const Expression& e, const std::string& name) { return find(e, name)->node; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "algebra/error.hpp"
+#include "algebra/expression/bounded_arithmetic.hpp"
 #include "schemes/nonuniform/insertion_rule.hpp"
 
 #include <fmt/format.h>
@@ -34,6 +35,8 @@ class RuleDefinitions {
   bool is_number(const Expression& e);
   /// The value of a number. \throws InputError, LimitError as to_rational_function.
   RationalFunction number(const Expression& e);
+  /// What the numbers of this rule may cost together.
+  BoundedArithmetic& arithmetic() { return arithmetic_; }
   /// The node of a name that is no number.
   int node(const Expression& e, const std::string& name);
 
@@ -71,6 +74,7 @@ class RuleDefinitions {
   VariableNames reserved_;
   Compile compile_;
   std::map<std::string, Definition> definitions_;
+  BoundedArithmetic arithmetic_;
   std::vector<std::string> open_;
   bool blamed_ = false;
 };

@@ -17,6 +17,7 @@ constexpr int max_again_depth = 3;
 constexpr int max_reach = 1024;
 constexpr std::size_t max_nodes = 100000;
 constexpr std::size_t max_entries = 200000;
+constexpr std::size_t max_bits = 33000;  // about 10000 digits
 
 [[noreturn]] void fail(const Expression& where, const std::string& reason) {
   throw InputError(reason, {.file = "", .line = 0, .column = where.column});
@@ -199,21 +200,23 @@ int SegmentCompiler::compile_tension(const Expression& e, const Expression::Call
   const int s = segment_argument(call.arguments[1]);
   const int degree = node(s).degree, r = degree / 2;
   if (degree % 2 == 0) fail(call.arguments[1], fmt::format("tension needs a segment of odd degree, not {}", degree));
-  for (const MultivariatePolynomial* part : {&c.numerator(), &c.denominator()}) {
-    for (const int d : part->degrees()) {
-      if (d * r > 1000)
-        throw LimitError("tension makes a degree above 1000", {.file = "", .line = 0, .column = e.column});
-    }
-  }
+  BoundedArithmetic& arithmetic = names_.arithmetic();
+  const RationalFunction rest = arithmetic.apply('-', constant(1), c, e.column);
+  const auto weight_of = [&](int i, int k) {  // binomial (1-c)^{i-k} c^k
+    const RationalFunction product =
+        arithmetic.apply('*', arithmetic.power(rest, i - k, e.column), arithmetic.power(c, k, e.column), e.column);
+    return constant(binomial(i, k)) * product;
+  };
   RuleNode made{.degree = degree, .arguments = {s}};
   made.rows.resize(std::size_t(degree + 1));
   spend(std::size_t((r + 1) * (r + 1)), e);
   for (int i = 0; i <= r; ++i) {
     for (int k = 0; k <= i; ++k) {
-      const RationalFunction weight = constant(binomial(i, k)) * power(constant(1) - c, i - k) * power(c, k);
+      const RationalFunction weight = weight_of(i, k);
       if (weight.is_zero()) continue;
-      made.rows[std::size_t(i)].push_back({k, pooled(weight)});
-      made.rows[std::size_t(degree - i)].push_back({degree - k, pooled(weight)});
+      const int number = pooled(weight);
+      made.rows[std::size_t(i)].push_back({k, number});
+      made.rows[std::size_t(degree - i)].push_back({degree - k, number});
     }
   }
   return add(std::move(made), e);
@@ -243,7 +246,7 @@ int SegmentCompiler::compile_split(const Expression& e, const Expression::Call& 
   const int s = segment_argument(call.arguments[1]);
   const int pieces =
       call.arguments.size() == 2 ? r + 1 : integer_argument(call.arguments[2], 1, r + 1, "the number of pieces");
-  spend(std::size_t(pieces * (r + 2) * node(s).size()), e);
+  spend(std::size_t(pieces * (r + 2) * (r + 2) * node(s).size() / 4), e);  // the operations, against those of one entry
   const RationalMatrix map = split_in_pieces(node(s).degree, r, pieces);
   if (map.rows() == 0) {
     fail(e, fmt::format("{} pieces of degree {} that join C{} do not suffice for the {}-jets of a segment of degree "
@@ -269,6 +272,9 @@ int SegmentCompiler::compile_at(const Expression& e, const Expression::Call& cal
                e);
   }
   spend(std::size_t(segment.size()), e);
+  // The weights are products of `degree` factors u and 1 - u.
+  const std::size_t bits = msb(abs(numerator(u)) + denominator(u)) * std::size_t(segment.degree + 1);
+  if (bits > max_bits) throw LimitError("numbers of too many digits would arise", {.file = "", .line = 0, .column = e.column});
   const Rational scaled = u * segment.pieces;
   int piece = 0;
   while (piece + 1 < segment.pieces && piece + 1 <= scaled) ++piece;
@@ -346,8 +352,7 @@ int SegmentCompiler::compile_operation(const Expression& e, const Expression::Op
     case '/': {
       if (b) fail(e, fmt::format("cannot divide by a {}", kind));
       const RationalFunction divisor = names_.number(last);
-      if (divisor.is_zero()) fail(e, "division by zero");
-      return scaled(*a, constant(1) / divisor, e);
+      return scaled(*a, names_.arithmetic().apply('/', constant(1), divisor, e.column), e);
     }
     default:
       throw InternalError("unknown operation in an expression");
@@ -359,7 +364,8 @@ int SegmentCompiler::scaled(int argument, const RationalFunction& factor, const 
                 .degree = node(argument).degree,
                 .pieces = node(argument).pieces,
                 .arguments = {argument}};
-  for (int j = 0; j < node(argument).size(); ++j) made.rows.push_back({{j, pooled(factor)}});
+  const int number = pooled(factor);
+  for (int j = 0; j < node(argument).size(); ++j) made.rows.push_back({{j, number}});
   return add(std::move(made), e);
 }
 

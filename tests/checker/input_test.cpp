@@ -96,7 +96,7 @@ TEST(Input, DepthIsLimited) {
   };
   for (const auto& [open, close] :
        std::vector<std::pair<std::string, std::string>>{{"(", ")"}, {"--", ""}, {"-(-", ")"}}) {
-    const int fits = open.size() == 1 ? 100 : open.size() == 2 ? 50 : 32;
+    const int fits = open.size() == 1 ? 299 : open.size() == 2 ? 149 : 99;
     expect_valid(smooth({{}, {nested(fits, open, close), "3/4", "3/4", "1/4"}, "C1"}, 1));
     expect_invalid(smooth({{}, {nested(fits + 2, open, close), "3/4", "3/4", "1/4"}, "C1"}, 1), "scheme");
     expect_invalid(smooth({{}, {nested(30000, open, close), "3/4", "3/4", "1/4"}, "C1"}, 1), "scheme");

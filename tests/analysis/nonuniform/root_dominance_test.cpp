@@ -220,35 +220,45 @@ SplitCharacteristicPolynomial split(const InsertionRule& rule, int smoothness) {
 }
 
 TEST(SpectrumDominance, SchemesOfKarciauskasAndPeters2013) {
-  EXPECT_TRUE(prove_spectrum_dominance(split(test::cr1(), 1), box({"(0, 19273/100000]"})).proved);
-  EXPECT_TRUE(prove_spectrum_dominance(split(test::repeated_a1_3_1(), 2), {}).proved);
-  EXPECT_TRUE(prove_spectrum_dominance(split(test::cr2(), 2), box({"(0, 21/500]"})).proved);
-  EXPECT_TRUE(prove_spectrum_dominance(split(test::cu2_4(), 2), box({"1/288"})).proved);
-  EXPECT_TRUE(prove_spectrum_dominance(split(test::a2_5_3(), 2), box({"[1/1000, 1/50]"})).proved);
-  EXPECT_TRUE(prove_spectrum_dominance(split(test::a3_5_3_3(), 3), box({"141/10000"})).proved);
-  EXPECT_TRUE(prove_spectrum_dominance(split(test::a3_5(), 3), box({"141/10000"})).proved);
+  EXPECT_TRUE(prove_spectrum_dominance(split(test::cr1(), 1), box({"(0, 19273/100000]"}), false).proved);
+  EXPECT_TRUE(prove_spectrum_dominance(split(test::repeated_a1_3_1(), 2), {}, false).proved);
+  EXPECT_TRUE(prove_spectrum_dominance(split(test::cr2(), 2), box({"(0, 21/500]"}), false).proved);
+  EXPECT_TRUE(prove_spectrum_dominance(split(test::cu2_4(), 2), box({"1/288"}), false).proved);
+  EXPECT_TRUE(prove_spectrum_dominance(split(test::a2_5_3(), 2), box({"[1/1000, 1/50]"}), false).proved);
+  EXPECT_TRUE(prove_spectrum_dominance(split(test::a3_5_3_3(), 3), box({"141/10000"}), false).proved);
+  EXPECT_TRUE(prove_spectrum_dominance(split(test::a3_5(), 3), box({"141/10000"}), false).proved);
 }
 
 TEST(SpectrumDominance, FailsWhereItShould) {
-  EXPECT_FALSE(prove_spectrum_dominance(split(test::a1_3_1(), 1), box({"13/100"})).proved);
-  EXPECT_FALSE(prove_spectrum_dominance(split(test::a2_5_3(), 3), box({"3/256"})).proved);
+  EXPECT_FALSE(prove_spectrum_dominance(split(test::a1_3_1(), 1), box({"13/100"}), false).proved);
+  EXPECT_FALSE(prove_spectrum_dominance(split(test::a2_5_3(), 3), box({"3/256"}), false).proved);
   // One power of 1/2 too many: missing, or left in ell.
-  EXPECT_FALSE(prove_spectrum_dominance(split(test::cr1(), 2), box({"1/16"})).proved);
-  EXPECT_FALSE(prove_spectrum_dominance(split(test::cr2(), 3), box({"1/96"})).proved);
-  EXPECT_FALSE(prove_spectrum_dominance(split(test::rule("at(f(1,0),1/2)", {}, 4), 1), {}).proved);
+  EXPECT_FALSE(prove_spectrum_dominance(split(test::cr1(), 2), box({"1/16"}), false).proved);
+  EXPECT_FALSE(prove_spectrum_dominance(split(test::cr2(), 3), box({"1/96"}), false).proved);
+  EXPECT_FALSE(prove_spectrum_dominance(split(test::rule("at(f(1,0),1/2)", {}, 4), 1), {}, false).proved);
 }
 
 TEST(SpectrumDominance, AsymmetricRulesNeedBothSides) {
-  const auto found = prove_spectrum_dominance(split(test::three_point(), 1), box({"[1/100, 1/50]"}));
-  bool mirrored_part = false;
-  for (const auto& part : found.parts) mirrored_part = mirrored_part || part.is_mirrored;
-  EXPECT_TRUE(found.proved ? mirrored_part : !found.reason.empty());
+  const auto factors = split(test::three_point(), 1);
+  const auto found = prove_spectrum_dominance(factors, box({"[1/100, 1/50]"}), true);
+  ASSERT_TRUE(found.proved) << found.reason;
+  std::size_t mirrored_parts = 0;
+  for (const auto& part : found.parts) mirrored_parts += part.is_mirrored;
+  EXPECT_EQ(mirrored_parts, factors.ell.size() + factors.r.size());
+  EXPECT_EQ(found.parts.size(), 2 * mirrored_parts);
+  // Where it fails for large ratios only, the point says so.
+  const auto right = split(test::rule("21/20*at(f(2,1),1/2) - 1/20*at(f(2,0),1/2)", {}, 4), 1);
+  EXPECT_TRUE(prove_spectrum_dominance(right, {}, false).proved);
+  const auto fails = prove_spectrum_dominance(right, {}, true);
+  EXPECT_FALSE(fails.proved);
+  ASSERT_TRUE(fails.counterexample.has_value());
+  EXPECT_GT(fails.counterexample->back(), 1);
 }
 
 TEST(SpectrumDominance, CoefficientTestFailsInPrincipleForA35) {
   RootDominanceOptions options;
   options.methods = {rouche};
-  const auto found = prove_spectrum_dominance(split(test::a3_5(), 3), box({"141/10000"}), options);
+  const auto found = prove_spectrum_dominance(split(test::a3_5(), 3), box({"141/10000"}), false, options);
   EXPECT_FALSE(found.proved);
   EXPECT_NE(found.reason.find("no bisection helps"), std::string::npos) << found.reason;
 }

@@ -1,7 +1,7 @@
 #include "analysis/uniform/difference_symbol.hpp"
 
 #include "algebra/expression/expression.hpp"
-#include "schemes/uniform/interpolant_rule.hpp"
+#include "schemes/nonuniform/insertion_rule.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ Mask b_spline(int degree) {
 }
 
 Mask deslauriers_dubuc(int points) {
-  return mask_from_rule(read_expression("at(f(" + std::to_string(points - 1) + ",0),1/2)"), {});
+  return uniform_mask(InsertionRule(read_expression("at(f(" + std::to_string(points - 1) + ",0),1/2)"), {}));
 }
 
 TEST(DifferenceSymbol, UndoesTheFactor) {

@@ -1,0 +1,196 @@
+#include "apps/limes/claims.hpp"
+#include "apps/limes/json_output.hpp"
+#include "apps/limes/options.hpp"
+#include "apps/limes/session.hpp"
+
+#include "algebra/error.hpp"
+#include "proofs/prove.hpp"
+#include "reports/document/bibliography.hpp"
+#include "reports/document/latexmk.hpp"
+#include "reports/document/manifest.hpp"
+#include "reports/proof/proof_report.hpp"
+#include "schemes/data_directory.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+
+namespace limes::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// With --claim alone the file's own claims of that statement, if there are any.
+std::vector<Claim> claims_to_report(const Scheme& scheme, const ReportOptions& options) {
+  if (options.claim && options.parameters.empty()) {
+    const std::string asked = statement(read_statement(*options.claim));
+    std::vector<Claim> own;
+    for (const Claim& claim : scheme.claims) {
+      if (statement(claim) == asked) own.push_back(claim);
+    }
+    if (!own.empty()) return own;
+  }
+  return claims_to_decide(scheme, options.claim, options.parameters);
+}
+
+std::vector<ReportedScheme> claims_of(const ReportOptions& options) {
+  std::vector<ReportedScheme> schemes;
+  for (Scheme& scheme : load_schemes(options.schemes)) {
+    ReportedScheme reported;
+    for (const Claim& claim : claims_to_report(scheme, options)) reported.claims.push_back({claim, {}, {}});
+    reported.scheme = std::move(scheme);
+    schemes.push_back(std::move(reported));
+  }
+  return schemes;
+}
+
+void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
+  std::vector<std::pair<ReportedScheme*, std::size_t>> work;
+  for (ReportedScheme& reported : schemes) {
+    for (std::size_t k = 0; k < reported.claims.size(); ++k) work.emplace_back(&reported, k);
+  }
+  const bool asked = options.claim || !options.parameters.empty();
+  Progress progress(!options.quiet);
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t index) {
+    auto& [reported, k] = work[index];
+    DecidedClaim& decided = reported->claims[k];
+    decided.verdict = prove(reported->scheme, decided.claim, {}, stop);
+    if (decided.verdict.certificate) decided.certificate = certificate_name(reported->scheme, decided.claim, k, asked);
+    const std::scoped_lock lock(mutex);
+    progress.show(fmt::format("{} of {} claims", ++done, work.size()));
+  }, tbb::simple_partitioner());
+}
+
+/// The day of SOURCE_DATE_EPOCH; nothing without it.
+std::string source_date() {
+  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+  if (!epoch || !*epoch) return "";
+  char* end = nullptr;
+  const long long seconds = std::strtoll(epoch, &end, 10);
+  if (*end != 0 || seconds < 0 || seconds > 253402300799) throw InputError(fmt::format("SOURCE_DATE_EPOCH={} is no time", epoch));
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(seconds)));
+}
+
+std::string read_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Collects what is written, for the list of outputs and the manifest.
+class Output {
+ public:
+  Output(const fs::path& directory) : directory_(directory) {
+    std::error_code error;
+    fs::create_directories(directory_, error);
+    if (error || !fs::is_directory(directory_)) throw InputError(fmt::format("cannot make the directory '{}'", directory_.string()));
+  }
+  void write(const std::string& name, const std::string& kind, const std::string& content) {
+    std::error_code error;
+    fs::create_directories((directory_ / name).parent_path(), error);
+    write_file(directory_ / name, content);
+    files_.emplace_back(name, content);
+    outputs_.push_back({(directory_ / name).string(), kind});
+  }
+  void add(const std::string& name, const std::string& kind) { outputs_.push_back({(directory_ / name).string(), kind}); }
+  const Manifest::Files& files() const { return files_; }
+  const std::vector<OutputFile>& outputs() const { return outputs_; }
+
+ private:
+  fs::path directory_;
+  Manifest::Files files_;
+  std::vector<OutputFile> outputs_;
+};
+
+void write_certificates(const std::vector<ReportedScheme>& schemes, const std::string& folder, Output& output) {
+  for (const ReportedScheme& reported : schemes) {
+    for (const DecidedClaim& decided : reported.claims) {
+      if (!decided.certificate.empty()) output.write(folder + decided.certificate, "certificate", decided.verdict.certificate_json);
+    }
+  }
+}
+
+std::vector<std::string> command_words(const ReportOptions& options) {
+  std::vector<std::string> words{"limes", "report"};
+  words.insert(words.end(), options.schemes.begin(), options.schemes.end());
+  if (options.claim) words.insert(words.end(), {"--claim", *options.claim});
+  for (const std::string& parameter : options.parameters) words.insert(words.end(), {"--param", parameter});
+  if (options.format != "latex") words.insert(words.end(), {"--format", options.format});
+  if (options.engine != "pdflatex") words.insert(words.end(), {"--engine", options.engine});
+  words.insert(words.end(), {"-o", options.output.string()});
+  return words;
+}
+
+void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
+  const Document document = proof_report(schemes, {.title = {}, .front_matter = false, .figures = false, .polygons = {}}, stop);
+  output.write(options.output.filename().string(), "latex", to_latex(document, load_bibliography(), {.fragment = true, .date = {}}));
+  write_certificates(schemes, "", output);
+}
+
+void write_report(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
+  ProofReportOptions contents;
+  contents.polygons = data_path("polygons");
+  const Document document = proof_report(schemes, contents, stop);
+  const bool latex = options.format == "latex";
+  for (const Figure* figure : figures(document)) {
+    for (std::size_t k = 0; k < figure->panels.size(); ++k) {
+      const std::string name = fmt::format("{}-{}", figure->name, k + 1);
+      if (latex) output.write("figures/" + name + ".pgf", "pgf", to_pgf(figure->panels[k].plot));
+      output.write("figures/" + name + ".svg", "svg", to_svg(figure->panels[k].plot));
+      output.write("data/" + name + ".csv", "csv", figure->panels[k].data);
+    }
+  }
+  write_certificates(schemes, "certificates/", output);
+  const References references = load_bibliography();
+  if (latex) output.write("report.tex", "latex", to_latex(document, references, {.fragment = false, .date = source_date()}));
+  else output.write("report.md", "markdown", to_markdown(document, references));
+  Manifest manifest{.limes_version = LIMES_VERSION, .command = command_words(options), .schemes = {}, .outputs = output.files()};
+  for (const ReportedScheme& reported : schemes) manifest.schemes.emplace_back(reported.scheme.file.filename().string(), read_file(reported.scheme.file));
+  output.write("manifest.json", "manifest", manifest_json(manifest));
+  if (latex && !options.no_pdf) {
+    run_latexmk(options.output / "report.tex", options.engine, stop);
+    output.add("report.pdf", "pdf");
+  }
+}
+
+int status_of(const std::vector<ReportedScheme>& schemes) {
+  int status = all_as_expected;
+  for (const ReportedScheme& reported : schemes) {
+    for (const DecidedClaim& decided : reported.claims) {
+      if (decided.verdict.outcome == decided.claim.expected && !decided.verdict.interrupted) continue;
+      if (decided.verdict.outcome != Outcome::undecided) return against_expectation;
+      status = undecided_or_interrupted;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+int run_report(const ReportOptions& options) {
+  const Session session(options);
+  std::vector<ReportedScheme> schemes = claims_of(options);
+  if (options.fragment && options.output.extension() != ".tex") throw InputError("-o: a fragment is written to a .tex file");
+  if (options.fragment && options.format != "latex") throw InputError("--fragment writes LaTeX, not --format " + options.format);
+  Output output(options.fragment ? fs::absolute(options.output).parent_path() : options.output);
+  decide(schemes, options, session.stop());
+  if (options.fragment) write_fragment(schemes, options, session.stop(), output);
+  else write_report(schemes, options, session.stop(), output);
+  if (options.json) {
+    std::cout << outputs_json(output.outputs());
+  } else if (!options.quiet) {
+    for (const OutputFile& file : output.outputs()) {
+      if (file.kind == "latex" || file.kind == "pdf" || file.kind == "markdown") std::cout << file.file << "\n";
+    }
+  }
+  return status_of(schemes);
+}
+
+}  // namespace limes::app

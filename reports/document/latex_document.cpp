@@ -1,0 +1,324 @@
+#include "reports/document/document.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace limes {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '\\': result += "\\textbackslash{}"; break;
+      case '~': result += "\\textasciitilde{}"; break;
+      case '^': result += "\\textasciicircum{}"; break;
+      case '<': result += "\\textless{}"; break;
+      case '>': result += "\\textgreater{}"; break;
+      case '|': result += "\\textbar{}"; break;
+      case '"': result += "\\textquotedbl{}"; break;
+      case '&': case '%': case '$': case '#': case '_': case '{': case '}': result += {'\\', c}; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+/// File and scheme names may be broken after '/', '-' and '.'.
+std::string escaped_code(std::string_view text) {
+  std::string result;
+  for (const char c : escaped(text)) {
+    result += c;
+    if (c == '/' || c == '.' || c == ',') result += "\\allowbreak{}";
+  }
+  return result;
+}
+
+constexpr const char* preamble = R"(\documentclass[a4paper,11pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{textcomp,lmodern}
+\usepackage[margin=26mm]{geometry}
+\usepackage{amsmath,amssymb,amsthm}
+\usepackage{booktabs,longtable,array}
+\usepackage{microtype}
+\usepackage{pgfplots}
+\pgfplotsset{compat=1.16,
+  every axis/.append style={font=\footnotesize, label style={font=\footnotesize}, title style={font=\small}, axis line style={black!60},
+    tick style={black!60}, xlabel near ticks, ylabel near ticks},
+  legend style={draw=none, font=\footnotesize}}
+\usepackage[hidelinks]{hyperref}
+\hypersetup{pdfproducer={Limes}, pdfcreator={Limes}}
+% Same input, same bytes: no clock and no path in the PDF.
+\ifdefined\pdftrailerid\pdftrailerid{}\pdfinfoomitdate=1 \pdfsuppressptexinfo=15 \fi
+\ifdefined\pdfvariable\pdfvariable suppressoptionalinfo 1023 \fi
+\allowdisplaybreaks
+\emergencystretch=3em
+\setcounter{tocdepth}{1}
+\setlength{\parskip}{3pt plus 2pt}
+\setlength{\LTpre}{8pt plus 4pt}
+\setlength{\LTpost}{8pt plus 4pt}
+\setlength{\LTcapwidth}{\textwidth}
+\renewcommand{\topfraction}{.9}
+\renewcommand{\bottomfraction}{.7}
+\renewcommand{\textfraction}{.08}
+\renewcommand{\floatpagefraction}{.8}
+\setcounter{topnumber}{4}
+\setcounter{totalnumber}{6}
+\makeatletter
+\renewcommand*{\l@section}{\@dottedtocline{1}{0em}{2em}}
+\makeatother
+\newtheoremstyle{limesnamed}{}{}{\itshape}{}{\bfseries}{.}{.5em}{\thmnote{#3}}
+\theoremstyle{limesnamed}
+\newtheorem*{namedtheorem}{Theorem}
+\theoremstyle{plain}
+\newtheorem{proposition}{Proposition}[section]
+\theoremstyle{remark}
+\newtheorem*{remark}{Remark}
+\newtheorem*{erratum}{Erratum}
+)";
+
+/// What a fragment needs from packages that the article may not have.
+constexpr const char* fragment_start = R"(% A proof by Limes, to be \input into an article after \begin{document}. It needs no package.
+\begingroup
+\providecommand{\toprule}{\hline}\providecommand{\midrule}{\hline}\providecommand{\bottomrule}{\hline}
+)";
+
+/// Commands of amsmath, amssymb and the T1 encoding in terms of LaTeX's own.
+std::string without_packages(std::string text) {
+  static const std::pair<std::string_view, std::string_view> substitutes[] = {
+      {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\tfrac", "\\frac"}, {"\\textquotedbl{}", "\\symbol{34}"}, {"\u0119", "\\c{e}"}, {"\u2026", "\\dots{}"}};
+  for (const auto& [command, substitute] : substitutes) {
+    for (std::size_t at = 0; (at = text.find(command, at)) != std::string::npos; at += substitute.size()) text.replace(at, command.size(), substitute);
+  }
+  return text;
+}
+
+class LatexWriter {
+ public:
+  LatexWriter(const Document& document, const References& references, const LatexOptions& options)
+      : document_(document), references_(references), options_(options) {
+    for (const std::string& key : cited_keys(document)) numbers_[key] = static_cast<int>(numbers_.size()) + 1;
+  }
+
+  std::string write() {
+    if (options_.fragment) {
+      blocks(document_.blocks);
+      bibliography();
+      return fragment_start + without_packages(std::move(text_)) + "\\endgroup\n";
+    }
+    text_ = preamble;
+    text_ += fmt::format("\\hypersetup{{pdftitle={{{}}}}}\n", escaped(document_.title));
+    text_ += fmt::format("\\begin{{document}}\n\\begin{{center}}\n{{\\LARGE {}\\par}}\n", escaped(document_.title));
+    for (const std::string& line : {inline_text(document_.subtitle), escaped(options_.date)}) {
+      if (!line.empty()) text_ += fmt::format("\\medskip\n{}\\par\n", line);
+    }
+    text_ += "\\end{center}\n\\tableofcontents\n\n";
+    blocks(document_.blocks);
+    bibliography();
+    return text_ + "\\end{document}\n";
+  }
+
+ private:
+  std::string inline_text(const RichText& text) const {
+    std::string result;
+    for (const Span& span : text) {
+      switch (span.kind) {
+        case Span::Kind::plain: result += escaped(span.text); break;
+        case Span::Kind::mathematics: result += "$" + span.text + "$"; break;
+        case Span::Kind::code: result += "\\texttt{" + escaped_code(span.text) + "}"; break;
+        case Span::Kind::emphasis: result += "\\emph{" + escaped(span.text) + "}"; break;
+        case Span::Kind::citation: result += citation(span.text); break;
+        case Span::Kind::reference:
+          result += options_.fragment ? escaped(span.text) : fmt::format("\\hyperref[{}]{{{}}}", span.target, escaped(span.text));
+      }
+    }
+    return result;
+  }
+
+  /// In a bookmark of the PDF there is no mathematics.
+  std::string heading_text(const RichText& text) const {
+    std::string result;
+    for (const Span& span : text) {
+      const std::string typeset = inline_text({span});
+      if (span.kind == Span::Kind::mathematics && !options_.fragment) {
+        std::string plain;
+        for (const char c : span.text) {
+          if (c != '\\' && c != '{' && c != '}' && c != '^' && c != '_') plain += c;
+        }
+        result += fmt::format("\\texorpdfstring{{{}}}{{{}}}", typeset, plain);
+      } else {
+        result += typeset;
+      }
+    }
+    return result;
+  }
+
+  std::string citation(const std::string& key) const {
+    const auto reference = references_.find(key);
+    if (options_.fragment) return "[" + escaped(reference == references_.end() ? key : reference->second.short_name) + "]";
+    return fmt::format("\\cite{{{}}}", key);
+  }
+
+  void label(const std::string& name) {
+    if (!name.empty() && !options_.fragment) text_ += fmt::format("\\label{{{}}}", name);
+  }
+
+  void blocks(const std::vector<Block>& list) {
+    for (const Block& block : list) std::visit([&](const auto& what) { write_block(what); }, block);
+  }
+
+  void write_block(const Heading& heading) {
+    static const char* commands[] = {"section", "subsection", "subsubsection"};
+    const int level = std::clamp(heading.level, 1, 3) - 1;
+    if (options_.fragment) {
+      text_ += fmt::format("\\{}*{{{}}}\n", commands[level], heading_text(heading.text));
+    } else {
+      text_ += fmt::format("\\{}{{{}}}", commands[level], heading_text(heading.text));
+      label(heading.label);
+      text_ += "\n";
+    }
+  }
+
+  void write_block(const Paragraph& paragraph) { text_ += inline_text(paragraph.text) + "\n\n"; }
+
+  void write_block(const Display& display) {
+    while (text_.ends_with("\n\n")) text_.pop_back();
+    const auto lines = broken_lines(display, (options_.fragment ? 58 : 78) * (display.small ? 1.2 : 1));
+    const bool aligned = lines.size() > 1 || !lines.front().first.empty();
+    if (display.small) text_ += "{\\footnotesize";
+    // amsmath's environments; in a fragment arrays, one a page at most.
+    constexpr std::size_t per_page = 30;
+    for (std::size_t begin = 0; begin < lines.size(); begin += options_.fragment ? per_page : lines.size()) {
+      const std::size_t end = options_.fragment ? std::min(begin + per_page, lines.size()) : lines.size();
+      text_ += options_.fragment ? "\\[\n\\begin{array}{@{}r@{\\;}l@{}}\n" : aligned ? "\\begin{align*}\n" : "\\[\n";
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto& [left, right] = lines[k];
+        if (options_.fragment) text_ += fmt::format("\\displaystyle {}&\\displaystyle {}{}\n", left, right, k + 1 < end ? "\\\\[3pt]" : "");
+        else text_ += fmt::format("{}{}{}{}\n", left, aligned ? "&" : "", right, k + 1 < end ? "\\\\" : "");
+      }
+      text_ += options_.fragment ? "\\end{array}\n\\]" : aligned ? "\\end{align*}" : "\\]";
+      if (end < lines.size()) text_ += "\n";
+    }
+    text_ += display.small ? "}\n\n" : "\n";
+  }
+
+  void write_block(const DataTable& table) {
+    // longtable breaks across pages; where there is no package, tables of a page's length.
+    const auto row = [&](const std::vector<RichText>& cells) {
+      std::vector<std::string> columns;
+      for (const RichText& cell : cells) columns.push_back(inline_text(cell));
+      return fmt::format("{} \\\\\n", fmt::join(columns, " & "));
+    };
+    const std::string columns = "@{}" + table.columns + "@{}";
+    if (options_.fragment) {
+      if (!table.caption.empty()) text_ += fmt::format("\\noindent {}\n", inline_text(table.caption));
+      constexpr std::size_t per_page = 40;
+      for (std::size_t begin = 0; begin < table.rows.size(); begin += per_page) {
+        text_ += fmt::format("\\begin{{center}}\\small\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\midrule\n", columns, row(table.header));
+        for (std::size_t k = begin; k < std::min(begin + per_page, table.rows.size()); ++k) text_ += row(table.rows[k]);
+        text_ += "\\bottomrule\n\\end{tabular}\\end{center}\n";
+      }
+      return;
+    }
+    constexpr std::size_t small_table = 16;
+    if (table.caption.empty() && table.rows.size() <= small_table) {
+      text_ += fmt::format("\\begin{{center}}\\small\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\midrule\n", columns, row(table.header));
+      for (const auto& cells : table.rows) text_ += row(cells);
+      text_ += "\\bottomrule\n\\end{tabular}\n\\end{center}\n";
+      return;
+    }
+    text_ += fmt::format("{{\\small\\begin{{longtable}}{{{}}}\n", columns);
+    if (!table.caption.empty()) {
+      text_ += fmt::format("\\caption{{{}}}", inline_text(table.caption));
+      label(table.label);
+      text_ += "\\\\\n";
+    }
+    text_ += fmt::format("\\toprule\n{}\\midrule\n\\endhead\n\\bottomrule\n\\endlastfoot\n", row(table.header));
+    for (const auto& cells : table.rows) text_ += row(cells);
+    // A longtable counts itself even without a caption.
+    text_ += table.caption.empty() ? "\\end{longtable}}\n\\addtocounter{table}{-1}\n" : "\\end{longtable}}\n";
+  }
+
+  void write_block(const Figure& figure) {
+    if (options_.fragment) return;
+    text_ += "\\begin{figure}[!htbp]\n\\centering\n";
+    for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+      text_ += fmt::format("{}\\input{{figures/{}-{}.pgf}}", k > 0 ? "\\hfill\n" : "", figure.name, k + 1);
+    }
+    text_ += fmt::format("\n\\caption{{{}}}\n\\end{{figure}}\n\n", inline_text(figure.caption));
+  }
+
+  void write_block(const Statement& statement) {
+    static const std::map<Statement::Kind, std::pair<std::string, std::string>> kinds{
+        {Statement::Kind::theorem, {"namedtheorem", ""}},
+        {Statement::Kind::proposition, {"proposition", "Proposition"}},
+        {Statement::Kind::proof, {"proof", "Proof"}},
+        {Statement::Kind::remark, {"remark", "Remark"}},
+        {Statement::Kind::erratum, {"erratum", "Erratum"}}};
+    const auto& [environment, word] = kinds.at(statement.kind);
+    const std::string title = inline_text(statement.title);
+    if (options_.fragment) {
+      const bool italic = statement.kind == Statement::Kind::theorem || statement.kind == Statement::Kind::proposition;
+      const bool light = !italic;
+      std::string head = word;
+      if (statement.kind == Statement::Kind::proposition) head += fmt::format(" {}", ++propositions_);
+      if (!title.empty()) head += head.empty() ? title : fmt::format(" ({})", title);
+      text_ += fmt::format("\\par\\medskip\\noindent{{{}{} {}.}}{}\n", light ? "\\itshape" : "\\bfseries", "", head, italic ? "\\begingroup\\itshape{}" : "");
+      blocks(statement.body);
+      while (text_.ends_with("\n")) text_.pop_back();
+      if (italic) text_ += "\\endgroup";
+      if (statement.kind == Statement::Kind::proof) text_ += "\\hfill\\rule{1ex}{1ex}";
+      text_ += "\\par\\medskip\n\n";
+      return;
+    }
+    text_ += fmt::format("\\begin{{{}}}{}", environment, title.empty() ? "" : fmt::format("[{{{}}}]", title));
+    label(statement.label);
+    text_ += "\n";
+    blocks(statement.body);
+    while (text_.ends_with("\n\n")) text_.pop_back();
+    // The sign at the end of a proof goes beside a display, not below it.
+    if (statement.kind == Statement::Kind::proof && !statement.body.empty() && std::holds_alternative<Display>(statement.body.back())) {
+      const std::size_t end = text_.rfind("\n\\end{align*}") != std::string::npos && text_.ends_with("\\end{align*}\n") ? text_.rfind("\n\\end{align*}")
+                                                                                                                   : text_.rfind("\n\\]");
+      text_.insert(end, "\\qedhere");
+    }
+    text_ += fmt::format("\\end{{{}}}\n\n", environment);
+  }
+
+  void bibliography() {
+    if (numbers_.empty()) return;
+    const std::vector<std::string> keys = cited_keys(document_);
+    if (options_.fragment) {
+      text_ += "\\par\\medskip\\noindent{\\bfseries Sources.}\n";
+      for (const std::string& key : keys) {
+        const auto reference = references_.find(key);
+        if (reference == references_.end()) continue;
+        text_ += fmt::format("[{}] {}\n", escaped(reference->second.short_name), inline_text(reference->second.full));
+      }
+      text_ += "\\par\n";
+      return;
+    }
+    text_ += "\\begin{thebibliography}{99}\n\\addcontentsline{toc}{section}{References}\n";
+    for (const std::string& key : keys) {
+      const auto reference = references_.find(key);
+      text_ += fmt::format("\\bibitem{{{}}} {}\n", key, reference == references_.end() ? escaped_code(key) : inline_text(reference->second.full));
+    }
+    text_ += "\\end{thebibliography}\n";
+  }
+
+  const Document& document_;
+  const References& references_;
+  const LatexOptions& options_;
+  std::map<std::string, int> numbers_;
+  std::string text_;
+  int propositions_ = 0;
+};
+
+}  // namespace
+
+std::string to_latex(const Document& document, const References& references, const LatexOptions& options) {
+  return LatexWriter(document, references, options).write();
+}
+
+}  // namespace limes

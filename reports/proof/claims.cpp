@@ -1,0 +1,170 @@
+#include "reports/document/sha256.hpp"
+#include "reports/proof/formulas.hpp"
+#include "reports/proof/sections_impl.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace limes::report_impl {
+namespace {
+
+RichText source_text(const Claim& claim) {
+  RichText text;
+  std::string key;
+  for (const char c : claim.source + ",") {
+    if (c == ',') {
+      if (!key.empty()) text = text + rich(text.empty() ? "" : ", ") + RichText{{Span::Kind::citation, key}};
+      key.clear();
+    } else if (c != ' ') {
+      key += c;
+    }
+  }
+  return text;
+}
+
+/// "For every w in [..] the scheme is C^2."
+RichText assertion(const Scheme& scheme, const Claim& claim) {
+  const std::string smooth = fmt::format("$C^{{{}}}$", claim.smoothness);
+  const std::string knots = scheme.insertion_rule && !claim.negated ? ", for every knot sequence" : scheme.insertion_rule ? " for all knot sequences" : "";
+  if (scheme.parameters.empty()) return rich(fmt::format("The scheme is {}{}{}.", claim.negated ? "not " : "", smooth, knots));
+  const std::string region = region_latex(scheme, claim.region);
+  if (is_point(claim.region)) return rich(fmt::format("For ${}$ the scheme is {}{}{}.", region, claim.negated ? "not " : "", smooth, knots));
+  return rich(fmt::format("For {} ${}$ the scheme is {}{}.", claim.negated ? "no" : "every", region, smooth, knots));
+}
+
+/// With a capital letter and a full stop, unless it begins with a formula.
+RichText sentence(std::string words) {
+  while (!words.empty() && (words.back() == '.' || words.back() == ' ' || words.back() == '\n')) words.pop_back();
+  if (words.size() > 1 && std::islower(static_cast<unsigned char>(words[0])) && std::islower(static_cast<unsigned char>(words[1]))) {
+    words[0] = static_cast<char>(std::toupper(words[0]));
+  }
+  return prose(words + ".");
+}
+
+/// Consecutive paragraphs as one, except before one that begins with an emphasised title.
+Blocks flowing(Blocks blocks) {
+  Blocks result;
+  for (Block& block : blocks) {
+    auto* next = std::get_if<Paragraph>(&block);
+    auto* last = result.empty() ? nullptr : std::get_if<Paragraph>(&result.back());
+    const bool titled = next && !next->text.empty() && next->text.front().kind == Span::Kind::emphasis;
+    if (next && last && !titled) last->text = last->text + rich(" ") + next->text;
+    else result.push_back(std::move(block));
+  }
+  return result;
+}
+
+Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop) {
+  switch (certificate.theorem) {
+    case Theorem::u1:
+    case Theorem::u2:
+      return uniform_proof(scheme, certificate, state, stop);
+    case Theorem::n1:
+      return knot_proof(scheme, certificate, state, stop);
+    case Theorem::n3:
+      return ratio_proof(scheme, certificate, stop);
+    default:
+      return {paragraph(fmt::format("By Theorem {}; the witness data are in the certificate.", to_string(certificate.theorem)))};
+  }
+}
+
+std::string certificate_words(const DecidedClaim& decided) {
+  return fmt::format("Certificate `{}`, SHA-256 `{}…`.", decided.certificate, sha256(decided.verdict.certificate_json).substr(0, 12));
+}
+
+/// The box common to both, if it is not empty.
+std::optional<Box> intersection(const Box& a, const Box& b) {
+  Box result;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    Interval x = a[k];
+    if (b[k].lower > x.lower || (b[k].lower == x.lower && b[k].lower_open)) x.lower = b[k].lower, x.lower_open = b[k].lower_open;
+    if (b[k].upper < x.upper || (b[k].upper == x.upper && b[k].upper_open)) x.upper = b[k].upper, x.upper_open = b[k].upper_open;
+    if (x.lower > x.upper || (x.lower == x.upper && (x.lower_open || x.upper_open))) return std::nullopt;
+    result.push_back(x);
+  }
+  return result;
+}
+
+}  // namespace
+
+void append(Blocks& blocks, Blocks more) {
+  for (Block& block : more) blocks.push_back(std::move(block));
+}
+
+RichText statement_text(const Claim& claim) { return rich(fmt::format("{}$C^{{{}}}$", claim.negated ? "not " : "", claim.smoothness)); }
+
+RichText region_rich(const Scheme& scheme, const Box& region) {
+  const std::string latex = region_latex(scheme, region);
+  return latex.empty() ? RichText{} : mathematics(latex);
+}
+
+Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportState& state, const Stop& stop) {
+  const Claim& claim = decided.claim;
+  const Verdict& verdict = decided.verdict;
+  const RichText source = source_text(claim);
+  const RichText title = source.empty() ? RichText{} : rich("claimed in ") + source;
+  Blocks blocks;
+  if (verdict.outcome == Outcome::certified) {
+    blocks.push_back(Statement{.kind = Statement::Kind::proposition, .title = title, .body = {paragraph(assertion(scheme, claim))}});
+  } else if (verdict.outcome == Outcome::refuted) {
+    RichText text = rich("It is false that ");
+    RichText what = assertion(scheme, claim);
+    if (!what.empty() && !what.front().text.empty()) what.front().text.front() = static_cast<char>(std::tolower(what.front().text.front()));
+    blocks.push_back(Statement{.kind = Statement::Kind::proposition, .title = title, .body = {paragraph(text + what)}});
+  } else {
+    blocks.push_back(Statement{.kind = Statement::Kind::remark,
+                               .title = {},
+                               .body = {paragraph(rich("*Undecided:* ") + assertion(scheme, claim) + rich(" Neither a proof nor a refutation was found: ") +
+                                                  prose(verdict.reason) + rich("."))}});
+  }
+  if (verdict.certificate) {
+    Statement proof{.kind = Statement::Kind::proof, .title = {}, .body = {}};
+    if (verdict.outcome == Outcome::refuted && !scheme.parameters.empty()) {
+      if (const auto* leaves = std::get_if<LeafProof>(&verdict.certificate->proof)) {
+        proof.body.push_back(paragraph(fmt::format("It fails at ${}$.", point_latex(scheme.parameter_names(), midpoint(leaves->leaves.front().region)))));
+      }
+    }
+    append(proof.body, proof_of(scheme, *verdict.certificate, state, stop));
+    proof.body.push_back(paragraph(certificate_words(decided)));
+    proof.body = flowing(std::move(proof.body));
+    blocks.push_back(std::move(proof));
+  }
+  if (!claim.erratum.empty()) {
+    blocks.push_back(Statement{.kind = Statement::Kind::erratum, .title = {}, .body = {paragraph(sentence(claim.erratum))}});
+  }
+  return blocks;
+}
+
+Blocks exact_smoothness(const ReportedScheme& reported) {
+  struct Exact {
+    int smoothness;
+    Box region;
+  };
+  std::vector<Exact> found;
+  for (const DecidedClaim& positive : reported.claims) {
+    if (positive.claim.negated || positive.verdict.outcome != Outcome::certified) continue;
+    for (const DecidedClaim& negative : reported.claims) {
+      if (!negative.claim.negated || negative.verdict.outcome != Outcome::certified || negative.claim.smoothness != positive.claim.smoothness + 1) continue;
+      if (const auto box = intersection(positive.claim.region, negative.claim.region)) found.push_back({positive.claim.smoothness, *box});
+    }
+  }
+  Blocks blocks;
+  std::vector<RichText> sentences;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const bool inside = std::any_of(found.begin(), found.end(), [&](const Exact& other) {
+      const bool larger = &other != &found[k] && other.smoothness == found[k].smoothness && contains(other.region, found[k].region);
+      return larger && (!contains(found[k].region, other.region) || &other < &found[k]);
+    });
+    if (inside) continue;
+    const RichText region = region_rich(reported.scheme, found[k].region);
+    sentences.push_back(rich(fmt::format("exactly $C^{{{}}}$", found[k].smoothness)) + (region.empty() ? RichText{} : rich(" for ") + region));
+  }
+  if (sentences.empty()) return blocks;
+  RichText text = rich("Both sides are proved: the scheme is ");
+  for (std::size_t k = 0; k < sentences.size(); ++k) text = text + rich(k == 0 ? "" : k + 1 < sentences.size() ? ", " : " and ") + sentences[k];
+  blocks.push_back(paragraph(text + rich(".")));
+  return blocks;
+}
+
+}  // namespace limes::report_impl

@@ -1,0 +1,111 @@
+#include "reports/proof/formulas.hpp"
+
+#include <fmt/format.h>
+
+namespace limes {
+namespace {
+
+RationalFunction as_function(const Rational& x) { return RationalFunction::constant(0, x); }
+
+bool needs_parentheses(const RationalFunction& c) { return c.is_polynomial() && c.numerator().term_count() > 1; }
+
+/// "+\frac{w}{2} z^{3}", the sign always written.
+std::string signed_term(const RationalFunction& c, const std::string& power, const VariableNames& names) {
+  std::string latex = to_latex(c, names);
+  if (needs_parentheses(c)) {
+    return power.empty() ? (latex.starts_with('-') ? latex : "+" + latex) : fmt::format("+\\left({}\\right){}", latex, power);
+  }
+  const bool negative = latex.starts_with('-');
+  if (negative) latex.erase(0, 1);
+  if (latex == "1" && !power.empty()) latex.clear();
+  return (negative ? "-" : "+") + latex + (latex.empty() || power.empty() ? "" : "\\,") + power;
+}
+
+std::string power_latex(const std::string& variable, int exponent) {
+  if (exponent == 0) return "";
+  return exponent == 1 ? variable : fmt::format("{}^{{{}}}", variable, exponent);
+}
+
+}  // namespace
+
+std::string inline_latex(const Rational& x) { return to_string(x); }
+std::string display_latex(const Rational& x) { return to_latex(as_function(x), {}); }
+
+std::string parameter_latex(const std::string& name) { return to_latex(RationalFunction::variable(1, 0), {name}); }
+
+std::string region_latex(const Scheme& scheme, const Box& region) {
+  std::string text;
+  for (std::size_t k = 0; k < region.size() && k < scheme.parameters.size(); ++k) {
+    const Interval& x = region[k];
+    if (k > 0) text += ",\\ ";
+    text += parameter_latex(scheme.parameters[k].name);
+    if (x.is_point()) text += fmt::format("={}", inline_latex(x.lower));
+    else text += fmt::format("\\in{}{},{}{}", x.lower_open ? "(" : "[", inline_latex(x.lower), inline_latex(x.upper), x.upper_open ? ")" : "]");
+  }
+  return text;
+}
+
+std::string point_latex(const VariableNames& names, std::span<const Rational> point) {
+  std::string text;
+  for (std::size_t k = 0; k < names.size() && k < point.size(); ++k) {
+    text += fmt::format("{}{}={}", k > 0 ? ",\\ " : "", parameter_latex(names[k]), inline_latex(point[k]));
+  }
+  return text;
+}
+
+std::string digits_latex(const Interval& number, int digits) {
+  if (number.is_point() && to_string(number.lower).size() <= 9) return inline_latex(number.lower);
+  for (int d = digits; d > 1; --d) {
+    const std::string text = to_decimal(number.lower, d, Rounding::nearest);
+    if (text == to_decimal(number.upper, d, Rounding::nearest)) return text;
+  }
+  return fmt::format("[{},{}]", to_decimal(number.lower, 4, Rounding::down), to_decimal(number.upper, 4, Rounding::up));
+}
+
+std::vector<std::string> power_sum_terms(const std::vector<std::pair<int, RationalFunction>>& coefficients, const std::string& variable,
+                                         const VariableNames& names) {
+  std::vector<std::string> terms;
+  for (const auto& [exponent, c] : coefficients) {
+    if (!c.is_zero()) terms.push_back(signed_term(c, power_latex(variable, exponent), names));
+  }
+  if (terms.empty()) terms.emplace_back("+0");
+  return terms;
+}
+
+std::vector<std::string> laurent_terms(const LaurentPolynomial& symbol, const VariableNames& names) {
+  std::vector<std::pair<int, RationalFunction>> coefficients;
+  for (int i = symbol.is_zero() ? 1 : symbol.lowest(); !symbol.is_zero() && i <= symbol.highest(); ++i) {
+    coefficients.emplace_back(i, symbol.coefficient(i));
+  }
+  return power_sum_terms(coefficients, "z", names);
+}
+
+std::vector<std::string> lambda_terms(const LambdaPolynomial& p, const VariableNames& names) {
+  std::vector<std::pair<int, RationalFunction>> coefficients;
+  for (int s = p.degree(); s >= 0; --s) coefficients.emplace_back(s, RationalFunction(p.coefficients()[static_cast<std::size_t>(s)]));
+  return power_sum_terms(coefficients, "\\lambda", names);
+}
+
+std::string joined_sum(const std::vector<std::string>& terms) {
+  std::string text;
+  for (const std::string& term : terms) text += term;
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
+Display::Line sum_line(const std::string& left, const std::vector<std::string>& terms) {
+  Display::Line line{left, terms};
+  std::string& first = line.right.front();
+  first = "=" + (first.starts_with('+') ? first.substr(1) : first);
+  return line;
+}
+
+void close(Display& display, const std::string& mark) { display.lines.back().right.back() += mark; }
+
+std::string sigma_power(int arity, int exponent) {
+  const std::string sigma = arity == 2 ? "1+z" : arity == 3 ? "1+z+z^{2}" : fmt::format("1+z+\\dots+z^{{{}}}", arity - 1);
+  return exponent == 1 ? fmt::format("({})", sigma) : fmt::format("({})^{{{}}}", sigma, exponent);
+}
+
+std::string negative_power(int base, int exponent) { return exponent == 0 ? "1" : fmt::format("{}^{{-{}}}", base, exponent); }
+
+}  // namespace limes

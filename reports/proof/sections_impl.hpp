@@ -1,0 +1,57 @@
+// The parts of a proof report. Included by sources of this folder only.
+#pragma once
+
+#include "reports/proof/proof_report.hpp"
+
+#include <optional>
+#include <set>
+
+namespace limes::report_impl {
+
+using Blocks = std::vector<Block>;
+
+inline Paragraph paragraph(RichText text) { return {std::move(text)}; }
+inline Paragraph paragraph(std::string_view markup) { return {rich(markup)}; }
+void append(Blocks& blocks, Blocks more);
+
+/// What is carried from one proof to the next.
+struct ReportState {
+  /// Parts that are too long for a section.
+  Blocks appendix;
+  /// Formulas that the section of the scheme at hand has displayed: they are not repeated.
+  std::set<std::string> shown;
+};
+
+/// "C^2" or "not C^2".
+RichText statement_text(const Claim& claim);
+RichText region_rich(const Scheme& scheme, const Box& region);
+
+/// Mask or rule, symbol, factorisation, polynomials, stability.
+Blocks definition(const Scheme& scheme);
+
+/// The claim as a proposition and its proof (or why there is none).
+Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportState& state, const Stop& stop);
+
+/// The proof of a verdict by U1, U2, and by N1, N3.
+Blocks uniform_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop);
+Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop);
+Blocks ratio_proof(const Scheme& scheme, const Certificate& certificate, const Stop& stop);
+/// Table of regions and levels; the mask is the scheme's one for equal intervals.
+Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, ReportState& state, const Stop& stop);
+
+/// Regions on which the scheme is proved exactly C^k.
+Blocks exact_smoothness(const ReportedScheme& reported);
+
+/// The theorems that the verdicts use.
+Blocks theorem_statements(const std::set<Theorem>& theorems);
+
+/// Plots of a scheme: basic limit function, norms, eigenvalues, root curves, curvature combs.
+Blocks scheme_figures(const ReportedScheme& reported, const std::filesystem::path& polygons, const Stop& stop);
+/// The parameter value that the plots show: a simple one inside of the region of the smoothest certified claim.
+std::vector<Rational> shown_point(const ReportedScheme& reported);
+/// A simple value in the middle half of a box.
+std::vector<Rational> simple_point(const Box& box);
+/// The greatest m with a certified C^m at the point, -1 without one.
+int certified_smoothness(const ReportedScheme& reported, std::span<const Rational> point);
+
+}  // namespace limes::report_impl

@@ -1,0 +1,64 @@
+// The theorems that verdicts use, as a report states them; docs/theory.md has the proofs.
+#include "reports/proof/sections_impl.hpp"
+
+namespace limes::report_impl {
+namespace {
+
+Statement theorem(const std::string& name, const std::string& sources, Blocks body) {
+  return {.kind = Statement::Kind::theorem, .title = rich("Theorem " + name + sources), .body = std::move(body), .label = "theorem-" + name};
+}
+
+Blocks conventions(bool knots) {
+  Blocks blocks;
+  blocks.push_back(paragraph(
+      "The mask $a$ of a scheme of arity $p$ defines $(S_af)_i=\\sum_j a_{i-pj}f_j$; its symbol is $a(z)=\\sum_i a_iz^i$, and "
+      "$\\sigma(z)=1+z+\\dots+z^{p-1}$. The scheme is $C^m$ if for all bounded data it converges uniformly to an $m$ times continuously "
+      "differentiable function of the parameter $p^{-k}i$. The norm of $l$ steps is"));
+  blocks.push_back(Display{{{"", {"\\lVert S_b^l\\rVert_\\infty=\\max_{0\\le i<p^l}\\sum_j\\bigl|b^{[l]}_{i-p^lj}\\bigr|,\\qquad b^{[l]}(z)=b(z)\\,b(z^p)\\cdots b(z^{p^{l-1}})."}}}});
+  blocks.push_back(paragraph(
+      "On a region of parameters a statement holds at every real parameter value. There, norms and signs are bounded by Bernstein coefficients on boxes that "
+      "cover the region; all computations are exact. Every proof is written down as a certificate, which an independent program (`limes-check`) "
+      "has verified from the scheme's definition alone."));
+  if (knots) {
+    blocks.push_back(paragraph(
+        "A non-uniform scheme inserts points at the midpoints of knot intervals. It is $C^m$ if for every strictly increasing bi-infinite or periodic knot "
+        "sequence and all data the limit is $m$ times continuously differentiable in the knots' parameter. After finitely many steps every knot with a ratio "
+        "$\\gamma=(t_{i+1}-t_i)/(t_i-t_{i-1})\\ne1$ is isolated; $L(\\gamma)$ is the matrix of one step about it."));
+  }
+  return blocks;
+}
+
+}  // namespace
+
+Blocks theorem_statements(const std::set<Theorem>& theorems) {
+  Blocks blocks = conventions(theorems.contains(Theorem::n1) || theorems.contains(Theorem::n3));
+  if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1)) {
+    blocks.push_back(theorem("U1", " [@Dyn1992], [@DynLevin2002]",
+                             {paragraph("If $a(1)=p$, $a(z)=\\sigma(z)^{m+1}p^{-m}\\,b(z)$ with a Laurent polynomial $b$, and $\\lVert S_b^l\\rVert_\\infty<1$ for some $l\\ge1$, then the "
+                                        "scheme is $C^m$.")}));
+  }
+  if (theorems.contains(Theorem::u2)) {
+    blocks.push_back(theorem("U2", " [@CavarettaDahmenMicchelli1991], [@DynLevin2002]",
+                             {paragraph("Let the integer shifts of the basic limit function be stable. If the scheme is $C^m$, then $a(1)=p$, $\\sigma^{m+1}$ divides $a$, and every product of the "
+                                        "sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, of $b=p^m a/\\sigma^{m+1}$ has a spectral radius below $1$.")}));
+  }
+  if (theorems.contains(Theorem::n1)) {
+    blocks.push_back(theorem("N1", " [@Warren1995], [@DaubechiesGuskovSweldens1999], [@KarciauskasPeters2013]",
+                             {paragraph("Let (a) the scheme for equal intervals be $C^m$; (b) $L(\\gamma)v_k=2^{-k}v_k$ for $k=0,\\dots,m$ and all $\\gamma>0$, where $v_k$ are the $k$-th powers of the knots; "
+                                        "(c) every other eigenvalue of $L(\\gamma)$, counted with multiplicity, be less than $2^{-m}$ in modulus; (d) no coefficient of the rule have a "
+                                        "pole for positive ratios. Then the scheme is $C^m$ for every knot sequence.")}));
+    blocks.push_back(paragraph(
+        "Condition (c) is proved for the factors $f$ of the characteristic polynomial on boxes that cover $\\gamma\\in(0,1]$ and the region. With $r(z)=f(2^{-m}z)=\\sum_s r_sz^s$ of "
+        "degree $d$ the tests are: *Rouch\u00e9*, $\\sum_{s<d}|r_s|<r_d$ for all Bernstein coefficients; *boundary*, $r(1)$, $(-1)^dr(-1)$ and $\\prod_{i<j}(1-z_iz_j)$ over the roots "
+        "$z_i$ stay positive, so that no root leaves the disc from a point where all are inside; *circle*, $|r(\\mathrm{e}^{\\mathrm{i}t})|^2>0$ for all $t$; *sign separation*, sign changes "
+        "along curves isolate the real roots and bound the others."));
+  }
+  if (theorems.contains(Theorem::n3)) {
+    blocks.push_back(theorem("N3", "",
+                             {paragraph("If for one $\\gamma>0$ the matrix $L(\\gamma)$ has, besides one simple eigenvalue $2^{-k}$ for each $k=0,\\dots,m$, an eigenvalue of modulus at least $2^{-m}$, then the scheme "
+                                        "is not $C^m$: its limit on the eigenvector's data contradicts a Taylor polynomial up to $o(t^m)$.")}));
+  }
+  return blocks;
+}
+
+}  // namespace limes::report_impl

@@ -54,15 +54,8 @@ Attempt from_mask(MaskProofAttempt mask) {
 /// Theorems P0, P1 and P2 speak of one mask and nothing else.
 bool is_plain_mask(const Scheme& scheme) { return scheme.kind == SchemeKind::uniform && scheme.parameters.empty(); }
 
-Attempt plain_masks_only() {
-  Attempt none;
-  none.reason = "such claims are decided for uniform schemes without parameters only";
-  return none;
-}
-
-/// The projective scheme is C^m (only C^0 can be proved) or, negated, not C^m.
+/// The projective scheme of a plain mask is C^m (only C^0 can be proved) or, negated, not C^m.
 Attempt attempt_projective(const Scheme& scheme, int m, bool negated, const Stop& stop) {
-  if (!is_plain_mask(scheme)) return plain_masks_only();
   if (!negated && m == 0) return from_mask(prove_projective_convergence(scheme.mask, stop));
   if (negated && m > 0) return from_mask(prove_projective_roughness(scheme.mask, stop));
   Attempt none;
@@ -242,6 +235,11 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
 
 Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
+  if (claim.subject != ClaimSubject::limits && !is_plain_mask(scheme)) {
+    Verdict verdict;
+    verdict.reason = "projective schemes and zero limits are decided for uniform schemes without parameters only";
+    return verdict;
+  }
   if (scheme.surface) {
     Verdict verdict;
     verdict.reason = "the smoothness of surface schemes is not decided by this claim";
@@ -250,10 +248,6 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
   if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
   if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
-  if (claim.subject != ClaimSubject::limits && scheme.insertion_rule) {
-    undecided.reason = "projective schemes and zero limits are decided of uniform schemes only";
-    return undecided;
-  }
   if (auto reason = beyond_checker(scheme)) {
     undecided.reason = std::move(*reason);
     return undecided;
@@ -265,7 +259,7 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
   }
   try {
     if (claim.subject == ClaimSubject::zero_limits) {
-      Attempt zero = is_plain_mask(scheme) ? from_mask(prove_zero_limits(scheme.mask, false, stop)) : plain_masks_only();
+      Attempt zero = from_mask(prove_zero_limits(scheme.mask, false, stop));
       if (zero.proof) return conclude(scheme, claim, Outcome::certified, std::move(zero));
       undecided.reason = zero.reason;
       return undecided;

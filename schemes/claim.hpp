@@ -27,7 +27,7 @@ struct Claim {
   int smoothness = 0;
   bool negated = false;
   /// Instead of smoothness.
-  std::optional<SpaceStatement> space;
+  std::optional<SpaceStatement> space = {};
   /// Of a nonstationary scheme.
   AngleType type = AngleType::trigonometric;
   /// One interval per parameter of the scheme, in the scheme's order.

@@ -27,10 +27,10 @@ RichText source_text(const Claim& claim) {
 RichText assertion(const Scheme& scheme, const Claim& claim) {
   const std::string type = scheme.sequence && scheme.sequence->types.size() > 1 ? fmt::format(" ({})", to_string(claim.type)) : "";
   if (claim.space) {
-    const std::string verb = claim.space->generates ? "generate" : "reproduce", functions = functions_latex(claim.space->functions);
+    const std::string functions = functions_latex(claim.space->functions);
     const std::string where = fmt::format(" for ${}${}", region_latex(scheme, claim.region), type);
-    return rich(claim.negated ? fmt::format("No step {}s any of the functions ${}$, at any angle{}.", verb, functions, where)
-                              : fmt::format("Every step {}s the functions ${}$, at every angle{}.", verb, functions, where));
+    return rich(claim.negated ? fmt::format("None of the functions ${}$ is {}d, at any angle{}.", functions, claim.space->generates ? "generate" : "reproduce", where)
+                              : fmt::format("Every step {}s the functions ${}$, at every angle{}.", claim.space->generates ? "generate" : "reproduce", functions, where));
   }
   const std::string smooth = fmt::format("$C^{{{}}}$", claim.smoothness);
   const std::string knots = scheme.insertion_rule && !claim.negated ? ", for every knot sequence" : scheme.insertion_rule ? " for all knot sequences" : "";

@@ -39,7 +39,8 @@ Support common_support(const NonstationaryRule& rule) {
 
 }  // namespace
 
-NonstationaryRule approx_nonstationary_rule(const MaskSequence& sequence, AngleType type, const Rational& angle, int levels) {
+NonstationaryRule approx_nonstationary_rule(const MaskSequence& sequence, AngleType type, const Rational& angle,
+                                            int levels) {
   NonstationaryRule rule;
   double x = approx_double(angle);
   for (int k = 0; k < levels; ++k) {
@@ -70,7 +71,8 @@ std::vector<double> approx_continuation(const std::vector<ExponentialFunction>& 
   return weights;
 }
 
-Polygon refine_polygon(const Polygon& polygon, const NonstationaryRule& rule, const Refinement& refinement, const Stop& stop) {
+Polygon refine_polygon(const Polygon& polygon, const NonstationaryRule& rule, const Refinement& refinement,
+                       const Stop& stop) {
   if (refinement.levels > static_cast<int>(rule.steps.size())) throw DomainError("fewer steps than levels");
   if (refinement.levels == 0) return {polygon.dimension(), polygon.coordinates(), polygon.closed()};
   Support support = common_support(rule);
@@ -78,9 +80,10 @@ Polygon refine_polygon(const Polygon& polygon, const NonstationaryRule& rule, co
     if (rule.continuation.empty()) throw DomainError("exact ends need a continuation");
     support.continuation = rule.continuation;
   }
-  Strip strip = geometry_impl::refined_strip(polygon, support, refinement, stop, [&](const Strip& from, Strip& to, int level) {
-    geometry_impl::refine_level(rule.steps[static_cast<std::size_t>(level - 1)], from, to);
-  });
+  Strip strip =
+      geometry_impl::refined_strip(polygon, support, refinement, stop, [&](const Strip& from, Strip& to, int level) {
+        geometry_impl::refine_level(rule.steps[static_cast<std::size_t>(level - 1)], from, to);
+      });
   return {polygon.dimension(), std::move(strip.coordinates), polygon.closed()};
 }
 

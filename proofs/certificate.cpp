@@ -2,6 +2,7 @@
 
 #include "algebra/error.hpp"
 #include "proofs/certificate_text_impl.hpp"
+#include "proofs/mask_json_impl.hpp"
 #include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
 
@@ -64,8 +65,9 @@ std::string to_text(Stability stability) {
   return stability == Stability::interpolatory ? "interpolatory" : "linear-independence";
 }
 
+}  // namespace
+
 Json mask_to_json(const Mask& mask, const VariableNames& names) {
-  // All entries over the one denominator that the proof used, so that the checker forms the same one.
   const MultivariatePolynomial denominator = common_denominator(mask.symbol);
   Json entries = Json::array();
   for (const MultivariatePolynomial& numerator : numerators_over(mask.symbol, denominator)) {
@@ -75,6 +77,8 @@ Json mask_to_json(const Mask& mask, const VariableNames& names) {
   }
   return entries;
 }
+
+namespace {
 
 Json rule_to_json(const InsertionRuleText& rule) {
   Json json = Json::object();
@@ -103,10 +107,32 @@ Json scheme_to_json(const Certificate& certificate) {
   return json;
 }
 
+Json strings(const std::vector<Rational>& numbers) {
+  Json list = Json::array();
+  for (const Rational& x : numbers) list.push_back(to_string(x));
+  return list;
+}
+
+Json cone_to_json(const ConeProof& proof) {
+  const ProjectiveContraction& contraction = proof.contraction;
+  Json json{{"cone", {{"lower", strings(contraction.cone.lower)}, {"upper", strings(contraction.cone.upper)}}},
+            {"level", contraction.level}};
+  if (!proof.roughness) return json;
+  const ProjectiveRoughness& rough = *proof.roughness;
+  json["word"] = rough.word;
+  json["dominant"] = {{"value", to_string(rough.dominant.value)}, {"vector", strings(rough.dominant.vector)}};
+  json["second"] = {{"value", to_string(rough.second.value)}, {"vector", strings(rough.second.vector)}};
+  json["window"] = rough.window;
+  return json;
+}
+
 Json proof_to_json(const Certificate& certificate) {
   const VariableNames& names = certificate.parameters;
+  if (const auto* cone = std::get_if<ConeProof>(&certificate.proof)) return cone_to_json(*cone);
   Json json = Json::object();
-  if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
+  if (const auto* zero = std::get_if<ZeroLimitProof>(&certificate.proof)) {
+    if (zero->word) json["word"] = *zero->word;
+  } else if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
     if (certificate.theorem == Theorem::n3 && leaves->leaves.size() == 1) return leaf_to_json(leaves->leaves.front(), names);
     if (leaves->stability) json["stability"] = to_text(*leaves->stability);
     json["leaves"] = leaves_to_json(leaves->leaves, names);
@@ -155,6 +181,9 @@ std::string to_string(Theorem theorem) {
     case Theorem::n3: return "N3";
     case Theorem::s1: return "S1";
     case Theorem::s2: return "S2";
+    case Theorem::p0: return "P0";
+    case Theorem::p1: return "P1";
+    case Theorem::p2: return "P2";
   }
   throw InternalError("unknown theorem");
 }
@@ -162,16 +191,17 @@ std::string to_string(Theorem theorem) {
 int Certificate::level() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return highest_level(leaves->leaves);
   if (const auto* asymptotic = std::get_if<AsymptoticProof>(&proof)) return asymptotic->limit_level;
-  if (std::holds_alternative<SpaceProof>(proof)) return 0;
-  return highest_level(std::get<KnotProof>(proof).uniform_leaves);
+  if (const auto* cone = std::get_if<ConeProof>(&proof)) return cone->contraction.level;
+  const auto* knots = std::get_if<KnotProof>(&proof);
+  return knots ? highest_level(knots->uniform_leaves) : 0;
 }
 
 int Certificate::leaf_count() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return static_cast<int>(leaves->leaves.size());
-  if (!std::holds_alternative<KnotProof>(proof)) return 1;
-  const KnotProof& knots = std::get<KnotProof>(proof);
-  std::size_t count = knots.uniform_leaves.size();
-  for (const DominatedFactor& factor : knots.factors) count += factor.leaves.size() + factor.mirrored_leaves.size();
+  const auto* knots = std::get_if<KnotProof>(&proof);
+  if (!knots) return 1;
+  std::size_t count = knots->uniform_leaves.size();
+  for (const DominatedFactor& factor : knots->factors) count += factor.leaves.size() + factor.mirrored_leaves.size();
   return static_cast<int>(count);
 }
 

@@ -5,6 +5,7 @@
 #include "analysis/nonuniform/dominance_test.hpp"
 #include "analysis/spectral_radius/polytope_norm.hpp"
 #include "analysis/uniform/stability.hpp"
+#include "analysis/unity/projective_roughness.hpp"
 #include "schemes/scheme.hpp"
 
 #include <optional>
@@ -29,6 +30,12 @@ enum class Theorem {
   s1,
   /// Functions that every step of a nonstationary scheme reproduces or generates, as identities.
   s2,
+  /// Even or odd coefficients that do not sum to 1 leave no limits but zero; a growing word leaves none for some data.
+  p0,
+  /// The projective scheme of a mask converges, by contraction over a cone of weights.
+  p1,
+  /// It is not C^1, by a visible eigenvalue of a word.
+  p2,
 };
 
 std::string to_string(Theorem theorem);
@@ -103,6 +110,17 @@ struct SpaceProof {
   Interval angles;
 };
 
+/// The witness data of Theorem P1 and, with the roughness, of Theorem P2.
+struct ConeProof {
+  ProjectiveContraction contraction;
+  std::optional<ProjectiveRoughness> roughness;
+};
+
+/// The witness data of Theorem P0: for "not C^m" a growing word.
+struct ZeroLimitProof {
+  std::optional<std::vector<int>> word;
+};
+
 /// A complete proof of a verdict, self-contained: docs/certificate.md defines its JSON form and what limes-check verifies.
 struct Certificate {
   std::string scheme;
@@ -112,10 +130,10 @@ struct Certificate {
   /// certified or refuted
   Outcome verdict = Outcome::certified;
   Theorem theorem = Theorem::u1;
-  using Proof = std::variant<LeafProof, KnotProof, AsymptoticProof, SpaceProof>;
+  using Proof = std::variant<LeafProof, KnotProof, AsymptoticProof, SpaceProof, ConeProof, ZeroLimitProof>;
   Proof proof;
 
-  /// Highest level of a contraction leaf, 0 without one.
+  /// Highest level of a contraction leaf, the level of a contraction over a cone, 0 without one.
   int level() const;
   /// Number of boxes of the proof.
   int leaf_count() const;

@@ -12,7 +12,7 @@ struct ProofLimits {
   /// The tests of Theorem N1 for one factor of a characteristic polynomial, and their boxes.
   RootDominanceOptions dominance;
   /// Polytope norms: vectors, and the dimension of the sections.
-  PolytopeLimits polytope{.max_vectors = 400, .precision = 48};
+  PolytopeLimits polytope{.max_vectors = 400, .precision = 48, .eagerness = 0.5};
   int max_polytope_dimension = 20;
   /// Leaves of one proof.
   int max_leaves = 20000;

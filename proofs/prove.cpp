@@ -6,6 +6,7 @@
 #include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/nonuniform/knot_proof.hpp"
 #include "proofs/uniform/smoothness_proof.hpp"
+#include "proofs/unity/projective_proof.hpp"
 #include "schemes/nonuniform/normalized_rule.hpp"
 
 #include <fmt/format.h>
@@ -44,14 +45,48 @@ Attempt attempt_for_all_knots(const InsertionRule& rule, int m, const Box& regio
   return attempt;
 }
 
+Attempt from_mask(MaskProofAttempt mask) {
+  Attempt attempt{.proof = {}, .theorem = mask.theorem, .reason = std::move(mask.reason), .failing_point = {}, .failing_ratio = {}};
+  if (mask.proof) std::visit([&](auto& proof) { attempt.proof = std::move(proof); }, *mask.proof);
+  return attempt;
+}
+
+/// Theorems P0, P1 and P2 speak of one mask and nothing else.
+bool is_plain_mask(const Scheme& scheme) { return scheme.kind == SchemeKind::uniform && scheme.parameters.empty(); }
+
+Attempt plain_masks_only() {
+  Attempt none;
+  none.reason = "such claims are decided for uniform schemes without parameters only";
+  return none;
+}
+
+/// The projective scheme is C^m (only C^0 can be proved) or, negated, not C^m.
+Attempt attempt_projective(const Scheme& scheme, int m, bool negated, const Stop& stop) {
+  if (!is_plain_mask(scheme)) return plain_masks_only();
+  if (!negated && m == 0) return from_mask(prove_projective_convergence(scheme.mask, stop));
+  if (negated && m > 0) return from_mask(prove_projective_roughness(scheme.mask, stop));
+  Attempt none;
+  none.reason = negated ? "there is no theorem that disproves the convergence of a projective scheme"
+                        : "there is no theorem that proves the smoothness of a projective scheme";
+  return none;
+}
+
 /// "C^m" or, negated, "not C^m" at every point of the region. \param ratio a knot ratio to try first against C^m
-Attempt attempt_statement(const Scheme& scheme, int m, bool negated, const Box& region, const std::optional<Rational>& ratio,
+Attempt attempt_statement(const Scheme& scheme, const Claim& claim, bool negated, const Box& region, const std::optional<Rational>& ratio,
                           const ProofLimits& limits, const Stop& stop) {
+  const int m = claim.smoothness;
+  if (claim.subject == ClaimSubject::projective_limits) return attempt_projective(scheme, m, negated, stop);
   if (!negated) {
     return scheme.insertion_rule ? attempt_for_all_knots(*scheme.insertion_rule, m, region, limits, stop)
                        : from_leaves(prove_smooth(scheme.mask, m, region, limits, stop), Theorem::u1);
   }
-  if (!scheme.insertion_rule) return from_leaves(prove_not_smooth(scheme.mask, m, region, limits, stop), Theorem::u2);
+  if (!scheme.insertion_rule) {
+    Attempt attempt = from_leaves(prove_not_smooth(scheme.mask, m, region, limits, stop), Theorem::u2);
+    if (attempt.proof || !is_plain_mask(scheme)) return attempt;
+    // Without sum rules there is no need of stability.
+    Attempt divergence = from_mask(prove_zero_limits(scheme.mask, true, stop));
+    return divergence.proof ? divergence : attempt;
+  }
   // Equal intervals are a knot sequence: what is not C^m there is not C^m.
   const std::vector<Box> pieces = pieces_without_poles(*scheme.insertion_rule, region);
   const auto on_piece = [&](const Box& piece) { return prove_not_smooth(scheme.mask, m, piece, limits, stop); };
@@ -92,9 +127,25 @@ std::string describe_leaf(const ProofLeaf& leaf, int m) {
   return fmt::format("sigma^{} divides the symbol and the difference scheme contracts", m + 1);
 }
 
+std::string describe_cone(const ConeProof& proof) {
+  if (!proof.roughness) {
+    return fmt::format("over a cone of weights {} steps multiply the oscillation of the points by at most {}", proof.contraction.level,
+                       to_decimal(proof.contraction.factor, 3, Rounding::up));
+  }
+  const ProjectiveRoughness& rough = *proof.roughness;
+  const int length = static_cast<int>(rough.word.size());
+  return fmt::format("the word {} has the quotient of eigenvalues {}, above 2^-{}, and it is visible", fmt::join(rough.word, " "),
+                     to_decimal(abs(rough.second.value) / rough.dominant.value, 8, Rounding::nearest), length);
+}
+
 /// What a proof says, in one sentence; for a refutation with the parameter value.
 std::string describe_proof(const Certificate& certificate) {
   const int m = certificate.claim.smoothness;
+  if (const auto* cone = std::get_if<ConeProof>(&certificate.proof)) return describe_cone(*cone);
+  if (const auto* zero = std::get_if<ZeroLimitProof>(&certificate.proof)) {
+    const std::string sums = "the even or the odd coefficients do not sum to 1: no limits but zero";
+    return zero->word ? fmt::format("{}; and data grow along the word {}", sums, fmt::join(*zero->word, " ")) : sums;
+  }
   if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
     const ProofLeaf& leaf = leaves->leaves.front();
     if (certificate.verdict != Outcome::refuted || certificate.parameters.empty()) return describe_leaf(leaf, m);
@@ -174,17 +225,16 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
   constexpr std::size_t max_variables = 16;
   if (!scheme.insertion_rule) return std::nullopt;
   const int points = scheme.insertion_rule->points();
-  if (points > max_points) return fmt::format("certificates are about rules of at most {} points; this one has {}", max_points, points);
+  if (points > max_points) {
+    return fmt::format("certificates are about rules of at most {} points; this one has {}", max_points, points);
+  }
   const std::size_t variables = scheme.parameters.size() + static_cast<std::size_t>(points) - 2;
   if (!scheme.insertion_rule->text().coefficients.empty() && variables > max_variables) {
-    return fmt::format("certificates are about coefficients in at most {} parameters and ratios; here are {}", max_variables, variables);
+    return fmt::format("certificates are about coefficients in at most {} parameters and ratios; here are {}", max_variables,
+                       variables);
   }
   return std::nullopt;
 }
-
-}  // namespace
-
-namespace {
 
 Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
@@ -196,6 +246,10 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
   if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
   if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
+  if (claim.subject != ClaimSubject::limits && scheme.insertion_rule) {
+    undecided.reason = "projective schemes and zero limits are decided of uniform schemes only";
+    return undecided;
+  }
   if (auto reason = beyond_checker(scheme)) {
     undecided.reason = std::move(*reason);
     return undecided;
@@ -205,9 +259,14 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
                                    to_string(*pole, scheme.parameter_names()));
     return undecided;
   }
-  const int m = claim.smoothness;
   try {
-    Attempt direct = attempt_statement(scheme, m, claim.negated, claim.region, std::nullopt, limits, stop);
+    if (claim.subject == ClaimSubject::zero_limits) {
+      Attempt zero = is_plain_mask(scheme) ? from_mask(prove_zero_limits(scheme.mask, false, stop)) : plain_masks_only();
+      if (zero.proof) return conclude(scheme, claim, Outcome::certified, std::move(zero));
+      undecided.reason = zero.reason;
+      return undecided;
+    }
+    Attempt direct = attempt_statement(scheme, claim, claim.negated, claim.region, std::nullopt, limits, stop);
     if (direct.proof) return conclude(scheme, claim, Outcome::certified, std::move(direct));
 
     undecided.reason = describe_failure(direct, scheme.parameter_names());
@@ -219,7 +278,7 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
     for (const std::vector<Rational>& point : points) {
       Box box;
       for (const Rational& x : point) box.push_back(Interval::point(x));
-      Attempt opposite = attempt_statement(scheme, m, !claim.negated, box, direct.failing_ratio, limits, stop);
+      Attempt opposite = attempt_statement(scheme, claim, !claim.negated, box, direct.failing_ratio, limits, stop);
       if (opposite.proof) return conclude(scheme, claim, Outcome::refuted, std::move(opposite));
       if (opposite_reason.empty()) opposite_reason = describe_failure(opposite, scheme.parameter_names());
     }

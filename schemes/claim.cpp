@@ -26,7 +26,8 @@ constexpr const char* space_verbs[2][2] = {{"reproduces ", "generates "}, {"does
 
 std::string statement(const Claim& claim) {
   if (claim.space) return space_verbs[claim.negated][claim.space->generates] + to_string(claim.space->functions);
-  return fmt::format("{}C{}", claim.negated ? "not " : "", claim.smoothness);
+  if (claim.subject == ClaimSubject::zero_limits) return "only zero limits";
+  return fmt::format("{}{}C{}", claim.negated ? "not " : "", claim.subject == ClaimSubject::projective_limits ? "projective " : "", claim.smoothness);
 }
 
 Claim read_statement(const std::string& text) {
@@ -42,9 +43,17 @@ Claim read_statement(const std::string& text) {
     }
   }
   std::string_view rest = text;
+  if (text == "only zero limits") {
+    claim.subject = ClaimSubject::zero_limits;
+    return claim;
+  }
   if (rest.starts_with("not ")) {
     claim.negated = true;
     rest.remove_prefix(4);
+  }
+  if (rest.starts_with("projective ")) {
+    claim.subject = ClaimSubject::projective_limits;
+    rest.remove_prefix(11);
   }
   bool read = rest.starts_with('C') && rest.size() > 1 && rest[1] >= '0' && rest[1] <= '9' && (rest[1] != '0' || rest.size() == 2);
   if (read) {
@@ -54,7 +63,10 @@ Claim read_statement(const std::string& text) {
     }
     read = error == std::errc{} && end == rest.data() + rest.size();
   }
-  if (!read) throw InputError(fmt::format("claim '{}': expected \"C<m>\" or \"not C<m>\", or, of a nonstationary scheme, \"reproduces {{1, y}}\" and the like", text));
+  if (!read) {
+    throw InputError(fmt::format("claim '{}': expected \"C<m>\" or \"not C<m>\", both also of the projective scheme (\"projective C0\"), \"only zero limits\", or, of a "
+                                 "nonstationary scheme, \"reproduces {{1, y}}\" and the like", text));
+  }
   return claim;
 }
 

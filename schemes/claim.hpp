@@ -19,6 +19,9 @@ struct SpaceStatement {
   bool generates = false;
   std::vector<ExponentialFunction> functions;
 };
+/// What a claim is about: the scheme itself; its projective version, which refines weights that start as ones together with weighted points and divides
+/// by them; or the statement that the scheme has no continuous limits but zero.
+enum class ClaimSubject { limits, projective_limits, zero_limits };
 
 /// A statement about a scheme, as a scheme file makes it: "C^m for every parameter value in the region", or, negated, "not C^m
 /// at any parameter value in the region". The source or the reader's hope may be wrong: then another outcome is expected and
@@ -27,9 +30,10 @@ struct Claim {
   int smoothness = 0;
   bool negated = false;
   /// Instead of smoothness.
-  std::optional<SpaceStatement> space = {};
+  std::optional<SpaceStatement> space = std::nullopt;
   /// Of a nonstationary scheme.
   AngleType type = AngleType::trigonometric;
+  ClaimSubject subject = ClaimSubject::limits;
   /// One interval per parameter of the scheme, in the scheme's order.
   Box region;
   Outcome expected = Outcome::certified;
@@ -39,7 +43,7 @@ struct Claim {
   int line = 0;
 };
 
-/// "C2" or "not C2"; "reproduces {1, y, cos, sin}", "does not generate {y^2}".
+/// "C2" or "not C2"; "reproduces {1, y, cos, sin}", "does not generate {y^2}"; "projective C0", "not projective C1"; "only zero limits".
 std::string statement(const Claim& claim);
 
 /// Reads what statement() writes, 0 <= m <= 64, into a claim without a region. \throws InputError

@@ -26,6 +26,10 @@ AngleType type_from_settings(const Scheme& scheme, const std::vector<std::string
   return type;
 }
 
+void require_one_mask(const Scheme& scheme, const std::string& verb) {
+  if (scheme.sequence) throw InputError(fmt::format("{} is nonstationary: '{}' needs a scheme with one mask", scheme.name, verb));
+}
+
 Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& settings) {
   Box region = scheme.parameter_box();
   if (scheme.sequence) region = {scheme.sequence->find(type_from_settings(scheme, settings))->angles};
@@ -68,7 +72,9 @@ std::string region_text(const Scheme& scheme, const Box& region) {
     const char* relation = interval.is_point() ? "=" : "in";
     if (values.size() > most_digits) {
       const std::string lower = to_decimal(interval.lower, 16, Rounding::down), upper = to_decimal(interval.upper, 16, Rounding::up);
-      values = fmt::format("{}{}, {}{}", interval.lower_open ? '(' : '[', lower, upper, interval.upper_open ? ')' : ']');
+      const bool exact = interval.is_point() && lower == upper;
+      if (!exact) relation = "in";
+      values = exact ? lower : fmt::format("{}{}, {}{}", interval.lower_open ? '(' : '[', lower, upper, interval.upper_open ? ')' : ']');
     }
     text += fmt::format("{}{} {} {}", k ? ", " : "", scheme.parameters[k].name, relation, values);
   }

@@ -12,6 +12,10 @@ namespace limes {
 /// its first type. \throws InputError for a type that the scheme has not
 AngleType type_from_settings(const Scheme& scheme, const std::vector<std::string>& settings);
 
+/// Of a nonstationary scheme only the limit of its masks is a uniform scheme: what is about one mask would answer another question.
+/// \throws InputError when the scheme is nonstationary
+void require_one_mask(const Scheme& scheme, const std::string& verb);
+
 /// The scheme's parameter box with the "name=value" settings put in. \throws InputError: no such parameter, given twice, no
 /// interval, outside of the parameter's range. Of a nonstationary scheme the range is that of the type, and angles may contain pi
 /// (read_angles).

@@ -55,7 +55,8 @@ Interval enclosure(const Rational& x, int bits, Function function) {
 }  // namespace
 
 Interval pi_enclosure(int bits) {
-  return enclosure(Rational(0), bits, [](arb_t value, const arb_t, slong precision) { arb_const_pi(value, precision); });
+  return enclosure(Rational(0), bits,
+                   [](arb_t value, const arb_t, slong precision) { arb_const_pi(value, precision); });
 }
 
 Interval cos_enclosure(const Rational& x, int bits) {

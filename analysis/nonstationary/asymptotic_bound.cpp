@@ -74,7 +74,8 @@ Rational rounded_up(const Rational& bound) {
 
 }  // namespace
 
-AsymptoticAttempt bound_difference_to_limit(const MaskSequence& sequence, AngleType type, const Interval& angles, int smoothness) {
+AsymptoticAttempt bound_difference_to_limit(const MaskSequence& sequence, AngleType type, const Interval& angles,
+                                            int smoothness) {
   AsymptoticAttempt attempt;
   const std::optional<int> first = uniform_level(sequence, type, angles);
   if (!first) {
@@ -102,8 +103,9 @@ AsymptoticAttempt bound_difference_to_limit(const MaskSequence& sequence, AngleT
       if (!best) attempt.reason = "the difference of the masks from their limit is not bounded";
       return attempt;
     }
-    attempt.reason = fmt::format("the masks tend to their limit like x^{}{}, too slowly for C{}", 2 * difference.r,
-                                 j == 0 ? "" : fmt::format(" after division by {} factors of smoothing", j), smoothness);
+    attempt.reason =
+        fmt::format("the masks tend to their limit like x^{}{}, too slowly for C{}", 2 * difference.r,
+                    j == 0 ? "" : fmt::format(" after division by {} factors of smoothing", j), smoothness);
     auto [quotient, remainder] = divide(c, sigma(1, arity));
     if (!remainder.is_zero()) return attempt;
     c = RationalFunction::constant(1, arity) * quotient;

@@ -28,6 +28,7 @@ struct AsymptoticAttempt {
 /// factors as possible. c_i(mu) - c_i(1) = (mu - 1)^r h_i(mu) exactly, sum |h_i| is bounded by Bernstein coefficients on an
 /// interval that contains mu_k for k >= from_level, and |mu_k - 1| <= x_k^2/2 (times cosh of the largest x_k): order = 2 r, the
 /// least order of a derivative of some c_i(mu(x)) that does not vanish at 0.
-AsymptoticAttempt bound_difference_to_limit(const MaskSequence& sequence, AngleType type, const Interval& angles, int smoothness);
+AsymptoticAttempt bound_difference_to_limit(const MaskSequence& sequence, AngleType type, const Interval& angles,
+                                            int smoothness);
 
 }  // namespace limes

@@ -40,7 +40,9 @@ std::optional<int> uniform_level(const MaskSequence& sequence, AngleType type, c
   const CommonDenominator common = over_common_denominator(sequence.mask.symbol);
   for (int k = 0; k <= max_level; ++k) {
     const Interval tail = tail_range(sequence.mask.arity, type, angles, k);
-    if (k >= static_cast<int>(sequence.first_levels.size()) && BernsteinForm(common.denominator, {tail}).strict_sign() > 0) return k;
+    if (k >= static_cast<int>(sequence.first_levels.size()) &&
+        BernsteinForm(common.denominator, {tail}).strict_sign() > 0)
+      return k;
     if (!is_defined(sequence.at_level(k), level_range(sequence.mask.arity, type, angles, k))) return std::nullopt;
   }
   return std::nullopt;

@@ -32,8 +32,8 @@ RationalFunction moment(const Mask& mask, const Rational& tau, int residue, int 
   return sum;
 }
 
-std::vector<MomentDefect> defects(const Mask& mask, const Rational& tau, const ExponentialFunction& function, bool generates,
-                                  bool at_zero) {
+std::vector<MomentDefect> defects(const Mask& mask, const Rational& tau, const ExponentialFunction& function,
+                                  bool generates, bool at_zero) {
   std::vector<MomentDefect> result;
   const RationalFunction one = RationalFunction::constant(1, 1);
   for (int m = 0; m <= function.degree; ++m) {
@@ -63,7 +63,8 @@ Rational parameter_tau(const MaskSequence& sequence) {
 
 namespace {
 
-bool holds(const MaskSequence& sequence, const Rational& tau, const ExponentialFunction& f, bool generates, bool at_zero) {
+bool holds(const MaskSequence& sequence, const Rational& tau, const ExponentialFunction& f, bool generates,
+           bool at_zero) {
   for (int k = 0; k <= static_cast<int>(sequence.first_levels.size()); ++k) {
     if (!defects(sequence.at_level(k), tau, f, generates, at_zero).empty()) return false;
   }
@@ -72,8 +73,8 @@ bool holds(const MaskSequence& sequence, const Rational& tau, const ExponentialF
 
 }  // namespace
 
-std::vector<ExponentialFunction> reproduced_space(const MaskSequence& sequence, AngleType type, bool generates, int max_degree,
-                                                  int max_frequency) {
+std::vector<ExponentialFunction> reproduced_space(const MaskSequence& sequence, AngleType type, bool generates,
+                                                  int max_degree, int max_frequency) {
   using Wave = ExponentialFunction::Wave;
   const bool hyperbolic = type == AngleType::hyperbolic;
   const Rational tau = parameter_tau(sequence);
@@ -81,7 +82,8 @@ std::vector<ExponentialFunction> reproduced_space(const MaskSequence& sequence, 
   std::vector<ExponentialFunction> space;
   for (int n = 0; n <= max_frequency; ++n) {
     const Wave cosine = n == 0 ? Wave::none : hyperbolic ? Wave::cosh : Wave::cos;
-    for (int degree = 0; degree <= max_degree && holds(sequence, tau, {degree, n, cosine}, generates, false); ++degree) {
+    for (int degree = 0; degree <= max_degree && holds(sequence, tau, {degree, n, cosine}, generates, false);
+         ++degree) {
       space.push_back({degree, n, cosine});
       if (n > 0) space.push_back({degree, n, hyperbolic ? Wave::sinh : Wave::sin});
     }
@@ -100,8 +102,8 @@ std::vector<ExponentialFunction> reproduced_polynomials(const MaskSequence& sequ
   return space;
 }
 
-std::vector<std::pair<ExponentialFunction, MomentDefect>> first_failures(const MaskSequence& sequence, AngleType type, bool generates,
-                                                                         int max_frequency) {
+std::vector<std::pair<ExponentialFunction, MomentDefect>> first_failures(const MaskSequence& sequence, AngleType type,
+                                                                         bool generates, int max_frequency) {
   using Wave = ExponentialFunction::Wave;
   const Rational tau = parameter_tau(sequence);
   if (denominator(tau) > max_tau_denominator) max_frequency = 0;

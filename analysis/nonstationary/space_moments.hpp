@@ -32,8 +32,8 @@ struct MomentDefect {
 
 /// All defects of a function, in the order of moments; none: it is reproduced (generated) at every angle. \param at_zero only
 /// theta = 0 is asked for
-std::vector<MomentDefect> defects(const Mask& mask, const Rational& tau, const ExponentialFunction& function, bool generates,
-                                  bool at_zero = false);
+std::vector<MomentDefect> defects(const Mask& mask, const Rational& tau, const ExponentialFunction& function,
+                                  bool generates, bool at_zero = false);
 
 /// tau = a'(1)/p of the limit mask: the parametrisation that linear functions ask for (0 for a symmetric primal mask).
 Rational parameter_tau(const MaskSequence& sequence);
@@ -50,7 +50,7 @@ std::vector<ExponentialFunction> reproduced_polynomials(const MaskSequence& sequ
 
 /// For each frequency up to max_frequency the first function that some step does not reproduce (generate) as an identity, with its
 /// first defect.
-std::vector<std::pair<ExponentialFunction, MomentDefect>> first_failures(const MaskSequence& sequence, AngleType type, bool generates,
-                                                                         int max_frequency = 2);
+std::vector<std::pair<ExponentialFunction, MomentDefect>> first_failures(const MaskSequence& sequence, AngleType type,
+                                                                         bool generates, int max_frequency = 2);
 
 }  // namespace limes

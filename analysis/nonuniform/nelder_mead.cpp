@@ -1,6 +1,7 @@
 #include "analysis/nonuniform/nelder_mead.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limes {
 namespace {
@@ -9,6 +10,17 @@ namespace {
 std::vector<double> on_line(const std::vector<double>& a, const std::vector<double>& b, double t) {
   std::vector<double> result(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[i] + t * (b[i] - a[i]);
+  return result;
+}
+
+constexpr double least_diameter = 1e-8;
+
+/// The greatest distance of a coordinate from that of the best point.
+double diameter(const std::vector<ApproxMinimum>& simplex) {
+  double result = 0;
+  for (const ApproxMinimum& corner : simplex) {
+    for (std::size_t i = 0; i < corner.x.size(); ++i) result = std::max(result, std::abs(corner.x[i] - simplex.front().x[i]));
+  }
   return result;
 }
 
@@ -27,7 +39,7 @@ ApproxMinimum approx_minimum(const std::function<double(std::span<const double>)
   }
   const auto by_value = [](const ApproxMinimum& a, const ApproxMinimum& b) { return a.value < b.value; };
   std::stable_sort(simplex.begin(), simplex.end(), by_value);
-  for (int k = 0; k < iterations; ++k) {
+  for (int k = 0; k < iterations && diameter(simplex) > least_diameter; ++k) {
     ApproxMinimum& worst = simplex.back();
     std::vector<double> centre(x.size(), 0);
     for (std::size_t i = 0; i + 1 < simplex.size(); ++i) {

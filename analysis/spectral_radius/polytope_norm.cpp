@@ -1,6 +1,6 @@
-// The invariant polytope algorithm for a bound R above the joint spectral radius. Vectors are B_e v / R', rounded to a grid, for
-// images B_e v / R' that are not yet in the hull, with R' a little less than R: rounding and floating-point errors are small
-// remainders, which multiples of the unit vectors absorb. Termination is not proved, correctness is: by exact_polytope_bound.
+// The invariant polytope algorithm for a bound R above the joint spectral radius. Vectors are B_e v / R'', rounded to a grid, for
+// images B_e v that are not yet in the hull times R', with R' a little less than R: rounding and floating-point errors are small
+// remainders, which multiples of the unit vectors absorb. R'' is R', or less where there is room above the joint spectral radius. Termination is not proved, correctness is: by exact_polytope_bound.
 #include "analysis/spectral_radius/polytope_norm.hpp"
 
 #include "algebra/error.hpp"
@@ -39,14 +39,21 @@ class PolytopeSearch {
       : family_(family), bound_(bound), limits_(limits), stop_(stop), n_(family_size(family)) {
     // R' = R (1 - 2^-k) leaves room for remainders.
     inner_bound_ = bound * (1 - Rational(1, Integer(1) << unsigned(std::max(limits.precision - 26, 8))));
-    for (const RationalMatrix& b : scaled(family, 1 / inner_bound_)) approx_family_.push_back(approx_matrix(b));
     images_.resize(family.size());
   }
 
   std::optional<Polytope> run() {
+    const std::vector<LeadingWord> words = approx_leading_words(family_, {12, 60}, 1e-9, stop_);
+    const double room = approx_double(inner_bound_) / words.front().radius;
+    generation_bound_ = inner_bound_;
+    if (room > 1 && std::isfinite(room)) generation_bound_ = round_to_bits(inner_bound_ * Rational(std::pow(room, -limits_.eagerness)), 30);
+    tolerated_ = approx_double(inner_bound_ / generation_bound_);
+    for (const RationalMatrix& b : scaled(family_, 1 / generation_bound_)) approx_family_.push_back(approx_matrix(b));
+
     std::vector<Eigen::VectorXd> starts;
-    for (const LeadingWord& word : approx_leading_words(family_, {12, 60}, 1e-9, stop_)) {
+    for (const LeadingWord& word : words) {
       Eigen::VectorXd v = leading_vector(approx_product(approx_family_, word.word));
+      if (v.size() > n_ && limits_.eagerness > 0 && room > 1 + limits_.real_room) v.conservativeResize(n_);
       if (v.allFinite()) starts.push_back(std::move(v));
       if (starts.size() == 32) break;
     }
@@ -103,15 +110,15 @@ class PolytopeSearch {
       std::vector<Candidate> outside;
       for (; expanded_ < vectors_.size(); ++expanded_) {
         for (std::size_t e = 0; e < family_.size(); ++e) {
-          if (const double norm = try_inside(e, expanded_); norm > 1) outside.push_back({norm, e, expanded_});
+          if (const double norm = try_inside(e, expanded_); norm > tolerated_) outside.push_back({norm, e, expanded_});
         }
       }
       std::stable_sort(outside.begin(), outside.end(), [](const Candidate& a, const Candidate& b) { return a.norm > b.norm; });
       for (const auto& [norm, e, i] : outside) {
-        if (try_inside(e, i) <= 1) continue;
+        if (try_inside(e, i) <= tolerated_) continue;
         if (vectors_.size() >= limits_.max_vectors) return false;
         RationalVector image = image_of(family_[e], vectors_[i]);
-        for (Rational& x : image) x = round_to_bits(x / inner_bound_, limits_.precision);
+        for (Rational& x : image) x = round_to_bits(x / generation_bound_, limits_.precision);
         add_vector(std::move(image));
         images_[e][i] = {1, {{int(vectors_.size()) - 1, false, 1}}};
         if (!(oracle_->vector(vectors_.size() - 1).cwiseAbs().maxCoeff() < 1e12)) return false;
@@ -124,8 +131,8 @@ class PolytopeSearch {
     if (++programs_ % 16 == 0) stop_.check();
     const Eigen::VectorXd image = approx_image(e, oracle_->vector(i));
     if (image.cwiseAbs().maxCoeff() < std::ldexp(1.0, -limits_.precision)) return 0;
-    ApproxCombination combination = oracle_->combine(image, 1);
-    if (combination.norm <= 1) images_[e][i] = combination;
+    ApproxCombination combination = oracle_->combine(image, tolerated_);
+    if (combination.norm <= tolerated_) images_[e][i] = combination;
     return combination.norm;
   }
 
@@ -172,9 +179,9 @@ class PolytopeSearch {
     for (const int bits : {12, 20, 30, 45}) {
       result.clear();
       for (const ApproxTerm& term : approx.terms) {
-        // A vector that was made as this image has the coefficient R'.
-        const Rational re = is_new_vector ? inner_bound_ : round_to_bits(Rational(term.c.real()) * inner_bound_, bits);
-        const Rational im = round_to_bits(Rational(term.c.imag()) * inner_bound_, bits);
+        // A vector that was made as this image has the coefficient R''.
+        const Rational re = is_new_vector ? generation_bound_ : round_to_bits(Rational(term.c.real()) * generation_bound_, bits);
+        const Rational im = round_to_bits(Rational(term.c.imag()) * generation_bound_, bits);
         result.push_back({term.index, term.conjugate, re, im});
       }
       if (combination_norm(image, result, vectors_, unit) <= bound_) return without_zeros(std::move(result));
@@ -200,14 +207,16 @@ class PolytopeSearch {
   const MatrixFamily& family_;
   const Rational bound_;
   Rational inner_bound_;
+  Rational generation_bound_;                    // R'': what new vectors are divided by
+  double tolerated_ = 1;                         // R' / R''
   const PolytopeLimits& limits_;
   const Stop& stop_;
   int n_;
   int length_ = 0;                               // of vectors: n, or 2n when they are complex
-  std::vector<Eigen::MatrixXd> approx_family_;   // B_e / R'
+  std::vector<Eigen::MatrixXd> approx_family_;   // B_e / R''
   std::optional<HullOracle> oracle_;
   std::vector<RationalVector> vectors_;
-  std::vector<std::vector<ApproxCombination>> images_;   // of B_e v_i / R'
+  std::vector<std::vector<ApproxCombination>> images_;   // of B_e v_i / R''
   std::size_t expanded_ = 0, programs_ = 0;
 };
 

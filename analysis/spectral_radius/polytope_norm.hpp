@@ -44,6 +44,12 @@ struct PolytopeLimits {
   std::size_t max_vectors = 1000;
   /// Coordinates of vectors are multiples of 2^-precision, at unit scale.
   int precision = 64;
+  /// From 0 to 1: how much of the room between the radius of the leading words and the bound is used to keep the vectors few. Vectors are
+  /// stretched by up to the inverse of the radius, so that near images of nearby matrices (those at both ends of a short
+  /// interval) lie inside. With 0 the vectors are those of the orbit scaled by the bound.
+  double eagerness = 0;
+  /// With eagerness, how much room allows real vectors although the leading eigenvalue is complex.
+  double real_room = 0.002;
 };
 
 /// A polytope in which no B_e is longer than `bound`; nothing when none was found, in particular when bound < JSR. Above the joint

@@ -75,6 +75,15 @@ Json sequence_json(const MaskSequence& sequence) {
           {"first_levels", first_levels}, {"spaces", spaces}};
 }
 
+/// {"polynomial": [c_0, .., c_d], "lower", "upper"}: the only root in between; null without one.
+Json algebraic_json(const std::optional<AlgebraicNumber>& x) {
+  if (!x) return nullptr;
+  Json coefficients = Json::array();
+  for (const Rational& c : x->polynomial.coefficients()) coefficients.push_back(to_string(c));
+  const AlgebraicNumber shown{x->polynomial, x->lower, x->upper};
+  return {{"polynomial", coefficients}, {"value", describe(shown)}};
+}
+
 }  // namespace
 
 std::string list_json(const std::vector<Scheme>& schemes) {
@@ -120,6 +129,15 @@ std::string show_json(const Scheme& scheme) {
             {"parameter_shift", to_string(degrees.parameter_shift, names)},
             {"interpolatory", interpolatory_index(mask).has_value()},
             {"claims", claims}};
+  if (scheme.insertion_rule) {
+    const InsertionRuleText& rule = scheme.insertion_rule->text();
+    Json let = Json::array(), coefficients = Json::array();
+    for (const auto& [name, value] : rule.let) let.push_back({{"name", name}, {"value", value.text}});
+    for (const auto& line : rule.coefficients) coefficients.push_back(line.text);
+    json["points"] = scheme.insertion_rule->points();
+    json["let"] = let;
+    json["coefficients"] = coefficients;
+  }
   if (scheme.sequence) json["sequence"] = sequence_json(*scheme.sequence);
   return text(json);
 }
@@ -262,6 +280,48 @@ std::string dominance_json(const std::vector<DominanceReport>& reports) {
   return text({{"results", results}});
 }
 
+std::string derive_json(const DeriveReport& report) {
+  const DerivedMask& derived = report.derived;
+  const RefinementEquation& equation = derived.equation;
+  const auto strings = [](const std::vector<Rational>& numbers) {
+    Json list = Json::array();
+    for (const Rational& x : numbers) list.push_back(to_string(x));
+    return list;
+  };
+  Json json{{"weight", report.weight},
+            {"mask", strings(derived.mask)},
+            {"first_index", equation.first_index()},
+            {"first_shift", to_string(equation.first_shift)},
+            {"domain", {to_string(equation.domain.lower), to_string(equation.domain.upper)}},
+            {"error", derived.error},
+            {"least_error", derived.least_error},
+            {"exact", derived.exact},
+            {"even_sum", to_string(report.even_sum)},
+            {"odd_sum", to_string(report.odd_sum)},
+            {"alternating_sum", to_string(Rational(report.even_sum - report.odd_sum))},
+            {"sum_rule_order", report.sum_rule_order},
+            {"condition", derived.condition},
+            {"rank", derived.rank},
+            {"unknowns", derived.unknowns}};
+  if (report.optimum) {
+    json["optimum"] = {{"parameter", report.parameter},
+                       {"value", to_string(report.optimum->parameter)},
+                       {"local_minima", report.optimum->local_minima}};
+  }
+  if (report.rounded) json["rounded"] = {{"to", report.rounding}, {"mask", strings(*report.rounded)}, {"error", report.rounded_error}};
+  if (!report.costs.empty()) {
+    json["costs"] = Json::array();
+    for (const SmoothnessCost& cost : report.costs) {
+      Json claims = Json::array();
+      for (const Claim& claim : cost.claims) claims.push_back(statement(claim));
+      Json row{{"sum_rules", cost.sum_rules}, {"error", cost.error}, {"claims", claims}};
+      if (cost.exponent) row["exponent"] = to_string(*cost.exponent);
+      json["costs"].push_back(row);
+    }
+  }
+  return text(json);
+}
+
 std::string norm_json(const Rational& norm, int order, int level) {
   return text({{"norm", to_string(norm)},
                {"decimal", to_decimal(norm, 17, Rounding::up)},
@@ -284,6 +344,57 @@ std::string tables_json(const std::vector<ComparedTable>& tables) {
     list.push_back({{"name", table.name}, {"title", table.title}, {"source", table.source}, {"rows", rows}, {"complete", !table.interrupted}});
   }
   return text({{"tables", list}});
+}
+
+std::string describe(const AlgebraicNumber& x) {
+  if (x.is_rational()) return to_string(x.lower);
+  return "the root " + to_decimal(x.lower, 12, Rounding::down) + ".. of " + to_string(x.polynomial, "x");
+}
+
+std::string jsr_json(const RadiusReport& report, int digits) {
+  const SpectralRadiusBounds& bounds = report.bounds;
+  return text({{"lower", to_string(bounds.lower)},
+               {"upper", to_string(bounds.upper)},
+               {"lower_decimal", to_decimal(bounds.lower, digits, Rounding::down)},
+               {"upper_decimal", to_decimal(bounds.upper, digits, Rounding::up)},
+               {"word", bounds.word},
+               {"exact", algebraic_json(bounds.exact)},
+               {"blocks", bounds.form.sizes},
+               {"certificate", report.certificate}});
+}
+
+std::string holder_json(const HolderReport& report, int digits) {
+  const HoelderExponent& exponent = report.exponent;
+  const auto end = [](const std::optional<Rational>& x) { return x ? Json(to_string(*x)) : Json(nullptr); };
+  const auto decimal = [&](const std::optional<Rational>& x, Rounding rounding) {
+    return x ? Json(to_decimal(*x, digits, rounding)) : Json(nullptr);
+  };
+  Json json{{"lower", end(exponent.bounds.lower)},
+            {"upper", end(exponent.bounds.upper)},
+            {"lower_decimal", decimal(exponent.bounds.lower, Rounding::down)},
+            {"upper_decimal", decimal(exponent.bounds.upper, Rounding::up)},
+            {"exact", exponent.exact || (exponent.radius.exact && exponent.stability && exponent.bounds.lower)},
+            {"exact_exponent", end(exponent.exact)},
+            {"order", exponent.order},
+            {"radius", nullptr},
+            {"stability", nullptr},
+            {"sobolev", {{"lower", end(exponent.sobolev.lower)},
+                         {"upper", end(exponent.sobolev.upper)},
+                         {"lower_decimal", decimal(exponent.sobolev.lower, Rounding::down)},
+                         {"upper_decimal", decimal(exponent.sobolev.upper, Rounding::up)}}},
+            {"reason", exponent.reason},
+            {"certificate", report.certificate}};
+  if (exponent.stability)
+    json["stability"] = *exponent.stability == Stability::interpolatory ? "interpolatory" : "linear-independence";
+  if (exponent.order > 0) {
+    json["radius"] = {{"lower", to_string(exponent.radius.lower)},
+                      {"upper", to_string(exponent.radius.upper)},
+                      {"lower_decimal", to_decimal(exponent.radius.lower, digits, Rounding::down)},
+                      {"upper_decimal", to_decimal(exponent.radius.upper, digits, Rounding::up)},
+                      {"word", exponent.radius.word},
+                      {"exact", algebraic_json(exponent.radius.exact)}};
+  }
+  return text(json);
 }
 
 std::string outputs_json(const std::vector<OutputFile>& outputs) {

@@ -5,9 +5,12 @@
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/map/map_unions.hpp"
+#include "analysis/uniform/hoelder_exponent.hpp"
 #include "proofs/verdict.hpp"
 #include "reports/tables/compare_table.hpp"
+#include "reports/unity/smoothness_cost.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/unity/optimise_weight.hpp"
 
 #include <string>
 #include <vector>
@@ -61,6 +64,34 @@ struct MapReport {
   std::vector<std::vector<std::string>> files;
 };
 
+struct DeriveReport {
+  std::string weight;
+  DerivedMask derived = {};
+  Rational even_sum = {}, odd_sum = {};
+  int sum_rule_order = 0;
+  /// Of --optimise.
+  std::string parameter = {};
+  std::optional<OptimalParameter> optimum = {};
+  /// Of --round.
+  std::string rounding = {};
+  std::optional<std::vector<Rational>> rounded = {};
+  double rounded_error = 0;
+  /// Of --cost.
+  std::vector<SmoothnessCost> costs = {};
+};
+
+struct RadiusReport {
+  SpectralRadiusBounds bounds;
+  std::string certificate;
+};
+
+struct HolderReport {
+  HoelderExponent exponent;
+  int arity = 2;
+  /// Path of the certificate, empty without one.
+  std::string certificate;
+};
+
 struct OutputFile {
   std::string file;
   std::string kind;
@@ -73,8 +104,14 @@ std::string check_json(const std::vector<CheckedFile>& results);
 std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
 std::string dominance_json(const std::vector<DominanceReport>& reports);
+std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);
 std::string tables_json(const std::vector<ComparedTable>& tables);
+/// "3/2", or "the root 1.61803.. of x^2 - x - 1".
+std::string describe(const AlgebraicNumber& x);
+/// \param digits significant digits of the decimals
+std::string jsr_json(const RadiusReport& report, int digits);
+std::string holder_json(const HolderReport& report, int digits);
 /// What the verbs print that write files.
 std::string outputs_json(const std::vector<OutputFile>& outputs);
 

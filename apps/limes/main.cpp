@@ -22,6 +22,15 @@ void add_common(CLI::App& verb, CommonOptions& options) {
       ->check(CLI::Range(1e-3, 1e8));
 }
 
+void add_grid_options(CLI::App& verb, GridOptions& options) {
+  verb.add_option("--filters", options.filters, "Filters that limes multiresolution -o has written")->required()->type_name("FILE");
+  verb.add_flag("--closed", options.closed, "The data are periodic: a closed polygon, a torus");
+  verb.add_option("--ends", options.ends, "Ends of open data: half (mirrored between points, the default) or whole (about the end points)")
+      ->check(CLI::IsMember({"half", "whole"}))->type_name("SYMMETRY");
+  verb.add_flag("--heights", options.heights, "The CSV file is a grid of heights, not a polygon");
+  verb.add_flag("--homogeneous", options.homogeneous, "Carry a weight beside the data and divide by it: for masks without sum rules");
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Limes proves how smooth the limits of subdivision schemes are.");
   app.set_version_flag("--version", "limes " LIMES_VERSION);
@@ -106,6 +115,40 @@ int run(int argc, char** argv) {
   search_verb->add_option("--certificates", search.certificates, "Directory for the certificates of what is found")->type_name("DIR");
   search_verb->add_option("-o,--output", search.output, "Scheme file to write with the best certified parameters")->type_name("FILE.toml");
   add_common(*search_verb, search);
+  DeriveOptions derive;
+  CLI::App* derive_verb = app.add_subcommand("derive", "Derive a mask from a weight function by least squares");
+  derive_verb->add_option("--weight", derive.weight, "Weight function, e.g. 'cinpact(c=5, sigma=479/100)', or a weight file")->required()->type_name("WEIGHT");
+  derive_verb->add_option("--domain", derive.domain, "Interval on which the refinement equation is asked for (default: the support)")->type_name("[A,B]");
+  derive_verb->add_option("--shifts", derive.shifts, "Shifts s of the dilates w(2u - s) that take part")->type_name("FIRST..LAST");
+  derive_verb->add_option("--constraint", derive.constraints, "sum-rules=K, interpolation or symmetry; may be repeated")
+      ->type_name("CONSTRAINT")->expected(1, 64)->allow_extra_args(false);
+  derive_verb->add_option("--method", derive.method, "samples, or integrals (exact for piecewise polynomials)")
+      ->check(CLI::IsMember({"samples", "integrals"}))->type_name("METHOD")->capture_default_str();
+  derive_verb->add_option("--samples", derive.samples, "Number of samples")->check(CLI::Range(2, 10000000))->type_name("N")->capture_default_str();
+  derive_verb->add_option("--precision", derive.precision, "Bits of the arithmetic: 53 (double), more: MPFR")
+      ->check(CLI::Range(53, 4096))->type_name("BITS")->capture_default_str();
+  derive_verb->add_option("--decimals", derive.decimals, "Decimals of the mask's free coefficients")->check(CLI::Range(1, 1000))->type_name("D");
+  derive_verb->add_option("--round", derive.rounding, "Show the mask and E after rounding to float32 or to D significant digits")->type_name("float32|D");
+  derive_verb->add_option("--optimise", derive.optimise, "Take the value of an argument that makes E least")->type_name("NAME=[A,B]");
+  derive_verb->add_option("--accuracy", derive.accuracy, "Of --optimise: the value is a multiple of it")->type_name("T")->capture_default_str();
+  derive_verb->add_option("--cost", derive.cost, "Table of E and certified smoothness for sum rules of order 0 .. K")->check(CLI::Range(0, 64))->type_name("K");
+  derive_verb->add_option("-o,--output", derive.output, "Scheme file to write, with what is proved as its claims")->type_name("OUT.toml");
+  derive_verb->add_option("--name", derive.name, "Name of the scheme written (default: that of the file)")->type_name("NAME");
+  add_common(*derive_verb, derive);
+  HolderOptions holder;
+  CLI::App* holder_verb = app.add_subcommand("holder", "Certified enclosure of the Hoelder exponent");
+  holder_verb->add_option("scheme", holder.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  holder_verb->add_option("--param", holder.parameters, "Parameter value: w=1/16")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  holder_verb->add_option("--digits", holder.digits, "Width of the enclosure: 10^-D")->check(CLI::Range(1, 30))->type_name("D")->capture_default_str();
+  holder_verb->add_option("--certificates", holder.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
+  add_common(*holder_verb, holder);
+
+  JsrOptions jsr;
+  CLI::App* jsr_verb = app.add_subcommand("jsr", "Joint spectral radius of rational matrices: bounds with a certificate");
+  jsr_verb->add_option("file", jsr.file, "Matrices: JSON, or CSV with a blank line between them")->required()->type_name("FILE");
+  jsr_verb->add_option("--digits", jsr.digits, "Relative width of the bounds: 10^-D")->check(CLI::Range(1, 30))->type_name("D")->capture_default_str();
+  jsr_verb->add_option("--certificates", jsr.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
+  add_common(*jsr_verb, jsr);
 
   RefineOptions refine;
   CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
@@ -137,6 +180,42 @@ int run(int argc, char** argv) {
   CLI::App* tables_verb = app.add_subcommand("tables", "Compute the tables of publications again and compare");
   tables_verb->add_option("table", tables.tables, "Names of tables, files or directories (default: all that come with Limes)")->type_name("TABLE");
   add_common(*tables_verb, tables);
+  FilterOptions filters;
+  CLI::App* filters_verb = app.add_subcommand("multiresolution", "Filters that reverse a scheme: banded, biorthogonal, of least orthogonality error");
+  filters_verb->add_option("scheme", filters.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  filters_verb->add_option("--param", filters.parameters, "Parameter value: w=1/16")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  filters_verb->add_option("--extension", filters.extension, "Filters longer than the mask by up to L, an even number (default 0; with --threshold 64)")
+      ->check(CLI::Range(0, 128))->type_name("L");
+  filters_verb->add_option("--threshold", filters.threshold, "The least extension with an orthogonality error of at most E")->type_name("E");
+  filters_verb->add_option("--shift", filters.shift, "Use this shift of A and B instead of the best one")->type_name("S");
+  filters_verb->add_option("--precision", filters.precision, "exact (default), double, or a number of decimal digits")->type_name("KIND");
+  filters_verb->add_option("-o,--output", filters.output, "File for the filters (JSON)")->type_name("FILE");
+  filters_verb->add_option("--certificates", filters.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
+  filters_verb->add_option("--plot", filters.plot, "Orthogonality error against filter length: .svg, .pgf or .png")->type_name("FILE");
+  filters_verb->add_option("--beside", filters.beside, "Another scheme for the plot; may be repeated")->type_name("SCHEME")->expected(1, 64)->allow_extra_args(false);
+  add_common(*filters_verb, filters);
+
+  DecomposeOptions decompose;
+  CLI::App* decompose_verb = app.add_subcommand("decompose", "Split points, heights or an image into a coarse version and details");
+  decompose_verb->add_option("data", decompose.data, "Points (CSV), a grid of heights (CSV with --heights), or an image (PNG)")->required()->type_name("DATA");
+  add_grid_options(*decompose_verb, decompose);
+  decompose_verb->add_option("--levels", decompose.levels, "How often")->check(CLI::Range(0, 30))->type_name("N")->capture_default_str();
+  decompose_verb->add_option("-o,--output", decompose.output, "File for the pyramid")->required()->type_name("OUT");
+  decompose_verb->add_option("--coarse", decompose.coarse, "File for the coarse version, .csv or .png")->type_name("FILE");
+  add_common(*decompose_verb, decompose);
+
+  ReconstructOptions reconstruct;
+  CLI::App* reconstruct_verb = app.add_subcommand("reconstruct", "Put a pyramid together, or refine coarse data without details");
+  reconstruct_verb->add_option("data", reconstruct.data, "A pyramid of limes decompose, or coarse data as for it")->required()->type_name("DATA");
+  add_grid_options(*reconstruct_verb, reconstruct);
+  reconstruct_verb->add_option("--levels", reconstruct.levels, "How many levels (default: all of a pyramid, 1 for coarse data)")->check(CLI::Range(0, 30))->type_name("N");
+  reconstruct_verb->add_option("-o,--output", reconstruct.output, "File for the result, .csv or .png")->required()->type_name("OUT");
+  reconstruct_verb->add_option("--coarse", reconstruct.coarse, "Use this coarse version in place of the pyramid's")->type_name("FILE");
+  reconstruct_verb->add_option("--drop", reconstruct.drop, "Without the details of the N finest levels")->check(CLI::Range(0, 30))->type_name("N");
+  reconstruct_verb->add_option("--threshold", reconstruct.threshold, "Without details of modulus below T")->check(CLI::Range(0.0, 1e300))->type_name("T");
+  reconstruct_verb->add_option("--keep", reconstruct.keep, "With this fraction of the details only, those that change the data most")->check(CLI::Range(0.0, 1.0))->type_name("F");
+  reconstruct_verb->add_option("--compare", reconstruct.compare, "Print how far the result is from this file")->type_name("FILE");
+  add_common(*reconstruct_verb, reconstruct);
 
   ReportOptions report;
   CLI::App* report_verb = app.add_subcommand("report", "Write the proofs of schemes (default: of the whole catalogue) as LaTeX and PDF, or Markdown");
@@ -166,8 +245,14 @@ int run(int argc, char** argv) {
   if (matrix_verb->parsed()) return run_matrix(matrix);
   if (dominance_verb->parsed()) return run_dominance(dominance);
   if (search_verb->parsed()) return run_search(search);
+  if (derive_verb->parsed()) return run_derive(derive);
+  if (holder_verb->parsed()) return run_holder(holder);
+  if (jsr_verb->parsed()) return run_jsr(jsr);
   if (refine_verb->parsed()) return run_refine(refine);
   if (tables_verb->parsed()) return run_tables(tables);
+  if (filters_verb->parsed()) return run_multiresolution(filters);
+  if (decompose_verb->parsed()) return run_decompose(decompose);
+  if (reconstruct_verb->parsed()) return run_reconstruct(reconstruct);
   if (report_verb->parsed()) return run_report(report);
   return run_norm(norm);
 }

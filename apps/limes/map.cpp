@@ -9,6 +9,7 @@
 #include "reports/plot/map_plot.hpp"
 #include "reports/text_table.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/parameter_settings.hpp"
 
 #include <fmt/format.h>
 
@@ -87,6 +88,7 @@ int run_map(const MapVerbOptions& options) {
   std::vector<OutputFile> outputs;
   for (const fs::path& file : options.outputs) outputs.push_back({file.string(), picture_kind(file)});
   const Scheme scheme = load_scheme(options.scheme);
+  require_one_mask(scheme, "map");
   Claim claim = read_statement(options.claim);
   if (claim.negated) throw InputError("--claim: a map is made of C<m>; it shows where that is refuted, too");
   claim.region = region_from_settings(scheme, options.parameters);

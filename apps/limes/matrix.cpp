@@ -8,6 +8,7 @@
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "analysis/nonuniform/subdivision_matrix.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/parameter_settings.hpp"
 
 #include <fmt/format.h>
 

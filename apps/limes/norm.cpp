@@ -6,6 +6,7 @@
 #include "analysis/uniform/contractivity_bound.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/parameter_settings.hpp"
 
 #include <fmt/format.h>
 

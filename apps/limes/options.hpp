@@ -77,6 +77,36 @@ struct SearchOptions : CommonOptions {
   std::filesystem::path output;        // empty: none
 };
 
+struct DeriveOptions : CommonOptions {
+  std::string weight;  // a function's text or a weight file
+  std::string domain;
+  std::string shifts;
+  std::vector<std::string> constraints;
+  std::string method = "samples";
+  int samples = 100000;
+  int precision = 53;
+  std::optional<int> decimals;
+  std::string rounding;
+  std::string optimise;
+  std::string accuracy = "1/100";
+  std::optional<int> cost;
+  std::filesystem::path output;
+  std::string name;
+};
+
+struct HolderOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> parameters;
+  int digits = 6;
+  std::filesystem::path certificates = "certificates";
+};
+
+struct JsrOptions : CommonOptions {
+  std::filesystem::path file;
+  int digits = 6;
+  std::filesystem::path certificates = "certificates";
+};
+
 struct RefineOptions : CommonOptions {
   std::string scheme;
   std::filesystem::path data;
@@ -96,6 +126,40 @@ struct RefineOptions : CommonOptions {
 
 struct TablesOptions : CommonOptions {
   std::vector<std::string> tables;  // names, files or directories; empty: all that come with Limes
+};
+
+struct FilterOptions : CommonOptions {
+  std::string scheme;
+  std::vector<std::string> parameters;
+  std::optional<int> extension;
+  std::string threshold;
+  std::optional<int> shift;
+  std::string precision = "exact";  // "double", a number of digits
+  std::filesystem::path output;
+  std::filesystem::path certificates = "certificates";
+  std::filesystem::path plot;
+  std::vector<std::string> beside;
+};
+
+/// How data of points, heights or pixels are read and continued at their ends.
+struct GridOptions : CommonOptions {
+  std::filesystem::path data, filters, output;
+  bool closed = false;
+  std::string ends = "half";  // "whole"
+  bool heights = false;
+  bool homogeneous = false;
+  std::filesystem::path coarse;
+};
+
+struct DecomposeOptions : GridOptions {
+  int levels = 1;
+};
+
+struct ReconstructOptions : GridOptions {
+  std::optional<int> levels;
+  std::optional<int> drop;
+  std::optional<double> threshold, keep;
+  std::filesystem::path compare;
 };
 
 struct ReportOptions : CommonOptions {
@@ -118,8 +182,14 @@ int run_map(const MapVerbOptions& options);
 int run_matrix(const MatrixOptions& options);
 int run_dominance(const DominanceOptions& options);
 int run_search(const SearchOptions& options);
+int run_derive(const DeriveOptions& options);
+int run_holder(const HolderOptions& options);
+int run_jsr(const JsrOptions& options);
 int run_refine(const RefineOptions& options);
 int run_tables(const TablesOptions& options);
+int run_multiresolution(const FilterOptions& options);
+int run_decompose(const DecomposeOptions& options);
+int run_reconstruct(const ReconstructOptions& options);
 int run_report(const ReportOptions& options);
 
 }  // namespace limes::app

@@ -97,15 +97,15 @@ Refined refined(const Scheme& scheme, const RefineOptions& options, const Stop& 
       return {polygon,
               refine_polygon(polygon, approx_nonuniform_rule(*scheme.insertion_rule, values), refinement, stop), title};
     }
-    if (scheme.sequence && options.knots.empty()) {
-      const AngleType type = type_from_settings(scheme, options.parameters);
-      if (scheme.sequence->types.size() > 1) title += ", " + to_string(type);
-      return {polygon, refine_polygon(polygon, nonstationary_rule(*scheme.sequence, type, values.front(), refinement), refinement, stop),
-              title};
-    }
     if (!options.knots.empty() && options.knots != to_string(KnotSpacing::uniform)) {
       throw InputError(
           fmt::format("--knots {}: {} is a {} scheme, its knots are equally spaced", options.knots, scheme.name, to_string(scheme.kind)));
+    }
+    if (scheme.sequence) {
+      const AngleType type = type_from_settings(scheme, options.parameters);
+      if (scheme.sequence->types.size() > 1) title += ", " + (values.front() == 0 ? "polynomial" : to_string(type));
+      return {polygon, refine_polygon(polygon, nonstationary_rule(*scheme.sequence, type, values.front(), refinement), refinement, stop),
+              title};
     }
     return {polygon, refine_polygon(polygon, approx_uniform_rule(scheme.mask, values), refinement, stop), title};
   } catch (const InputError& error) {

@@ -58,9 +58,11 @@ bool colour_on_stdout() {
   return isatty(STDOUT_FILENO) && !(no_colour && *no_colour);
 }
 
-void require_one_mask(const Scheme& scheme, const std::string& verb) {
-  if (scheme.surface) throw InputError(fmt::format("{} is a surface scheme: '{}' needs a scheme with one mask", scheme.name, verb));
-  if (scheme.sequence) throw InputError(fmt::format("{} is nonstationary: '{}' needs a scheme with one mask", scheme.name, verb));
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory))
+    throw InputError(fmt::format("cannot make the directory '{}' for certificates", directory.string()));
 }
 
 void write_file(const std::filesystem::path& file, const std::string& text) {

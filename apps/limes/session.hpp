@@ -40,8 +40,8 @@ class Progress {
 /// Whether standard output takes colour: a terminal, and NO_COLOR is not set.
 bool colour_on_stdout();
 
-/// \throws InputError when the scheme is nonstationary: the verb is about a single mask
-void require_one_mask(const Scheme& scheme, const std::string& verb);
+/// Makes a directory for certificates, if there is none. \throws InputError
+void make_directory(const std::filesystem::path& directory);
 
 /// Writes a file as a whole or not at all (a temporary file, then renamed). \throws InputError
 void write_file(const std::filesystem::path& file, const std::string& text);

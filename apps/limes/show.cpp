@@ -104,6 +104,12 @@ void print_text(const Scheme& scheme) {
   line("kind", fmt::format("{}, arity {}", to_string(scheme.kind), mask.arity));
   if (!scheme.sources.empty()) line("source", fmt::format("{}", fmt::join(scheme.sources, ", ")));
   if (!scheme.parameters.empty()) line("parameters", region_text(scheme, scheme.parameter_box()));
+  if (scheme.insertion_rule) {
+    const InsertionRuleText& text = scheme.insertion_rule->text();
+    line("points", fmt::format("{}", scheme.insertion_rule->points()));
+    for (const auto& [name, value] : text.let) line("let", fmt::format("{} = {}", name, value.text));
+    for (std::size_t j = 0; j < text.coefficients.size(); ++j) line("coefficient", fmt::format("e_{} = {}", j + 1, text.coefficients[j].text));
+  }
   if (!scheme.rule.empty()) line("rule", scheme.rule);
   line("mask", mask_text(mask, names));
   line("symbol", fmt::format("a(z) = {}", symbol_text(mask, order)));

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::uintmax_t max_file_size = std::uintmax_t{256} << 20;
 constexpr std::size_t max_rows = std::size_t{1} << 22;
-constexpr int max_columns = 64;
 constexpr std::size_t max_field = 1000;
 
 std::string_view trimmed(std::string_view text) {
@@ -53,7 +52,7 @@ double read_number(std::string_view field, const SourcePosition& where) {
 }
 
 /// The numbers of one line, appended to the table.
-void read_row(std::string_view line, int number, NumberTable& table) {
+void read_row(std::string_view line, int number, int max_columns, NumberTable& table) {
   const std::string name = table.file.string();
   int columns = 0;
   std::size_t begin = 0;
@@ -77,7 +76,7 @@ void read_row(std::string_view line, int number, NumberTable& table) {
 
 }  // namespace
 
-NumberTable read_csv(std::string_view text, const std::filesystem::path& file) {
+NumberTable read_csv(std::string_view text, const std::filesystem::path& file, int max_columns) {
   NumberTable table{0, {}, {}, file};
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   int number = 0;
@@ -87,13 +86,13 @@ NumberTable read_csv(std::string_view text, const std::filesystem::path& file) {
     begin = end + 1;
     ++number;
     const std::string_view content = trimmed(line);
-    if (!content.empty() && content.front() != '#') read_row(line, number, table);
+    if (!content.empty() && content.front() != '#') read_row(line, number, max_columns, table);
   }
   if (table.rows() == 0) throw InputError("the file has no numbers", {file.string(), 0, 0});
   return table;
 }
 
-NumberTable read_csv_file(const std::filesystem::path& file) {
+NumberTable read_csv_file(const std::filesystem::path& file, int max_columns) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) throw InputError("cannot read the file: " + error.message(), {file.string(), 0, 0});
@@ -101,7 +100,7 @@ NumberTable read_csv_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   if (!stream) throw InputError("cannot read the file", {file.string(), 0, 0});
-  return read_csv(text, file);
+  return read_csv(text, file, max_columns);
 }
 
 Polygon polygon_from(const NumberTable& table, bool closed) { return {table.columns, table.values, closed}; }

@@ -24,10 +24,10 @@ struct NumberTable {
 /// and lines that start with # are skipped.
 /// \throws InputError "file:line: reason": the file cannot be read, something is no number, is nan, infinite or beyond
 /// double precision; a row has another number of columns than the first one; there is no row. LimitError: more than 256
-/// MiB, 2^22 rows or 64 columns.
-NumberTable read_csv_file(const std::filesystem::path& file);
+/// MiB, 2^22 rows or `max_columns` columns.
+NumberTable read_csv_file(const std::filesystem::path& file, int max_columns = 64);
 /// The same from a text; `file` only names it in messages.
-NumberTable read_csv(std::string_view text, const std::filesystem::path& file);
+NumberTable read_csv(std::string_view text, const std::filesystem::path& file, int max_columns = 64);
 
 /// The polygon whose points are the rows.
 Polygon polygon_from(const NumberTable& table, bool closed);

@@ -69,6 +69,8 @@ struct Certificate {
   bool proves_smoothness() const { return theorem == Theorem::U1 || theorem == Theorem::N1; }
 };
 
+/// A scheme of kind "uniform"; the kind is not looked at. \throws Rejected at "scheme" or "limits"
+Scheme read_uniform_scheme(const nlohmann::json& json, Budget& budget);
 /// \throws Rejected at "format", "scheme", "claim", "proof" or "limits"
 Certificate read_certificate(const nlohmann::json& json, Budget& budget);
 
@@ -86,6 +88,9 @@ struct LocalScheme {
 
 /// \throws Rejected at "denominator" when D has no proven strict sign on the leaf
 LocalScheme restrict_to_leaf(const Scheme& scheme, int order, const Region& leaf, Budget& budget);
+
+/// The integer shifts are stable: interpolatory, or linearly independent. \throws Rejected at "stability"
+void prove_stability(const LocalScheme& scheme, bool interpolatory, Budget& budget);
 
 /// Theorem U1 (C^m) and theorem U2 (not C^m) on a leaf: an estimate of the work in nanoseconds, and the proof. U1 asks for
 /// sum and factor of the symbol, and for a contraction, shown by the norm of a level or by a polytope.

@@ -103,6 +103,12 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"N3", check_smoothness},
     {"S1", check_s1},
     {"S2", check_s2},
+    {"P0", check_p0},
+    {"P1", check_p1},
+    {"P2", check_p2},
+    {"B1", check_biorthogonality},
+    {"JSR", check_joint_spectral_radius},
+    {"U3", check_hoelder_exponent},
 };
 
 std::string prove(std::string_view text) {

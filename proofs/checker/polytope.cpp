@@ -13,14 +13,6 @@ namespace {
 
 constexpr std::size_t max_size = 64, max_vectors = 20000, max_matrices = 64;
 
-mpq_class read_number(const Json& value, const std::string& step, const std::string& what, Budget& budget) {
-  if (!value.is_string()) throw Rejected{step, what + " needs strings as numbers"};
-  const auto& text = value.get_ref<const std::string&>();
-  budget.work(500 + 2. * static_cast<double>(text.size()) * static_cast<double>(text.size()));
-  budget.hold(100 + 2. * static_cast<double>(text.size()));
-  return read_rational(text, step);
-}
-
 /// An upper bound of sqrt(x^2 + y^2), less than 2^-63 above it.
 mpq_class modulus(const mpq_class& x, const mpq_class& y, Budget& budget) {
   if (y == 0) return abs(x);
@@ -35,15 +27,6 @@ mpq_class modulus(const mpq_class& x, const mpq_class& y, Budget& budget) {
   return result;
 }
 
-struct Vector {
-  std::vector<mpq_class> real, imaginary;  ///< the latter empty for real vectors
-};
-
-struct Polytope {
-  std::vector<Vector> vectors;
-  mpq_class unit;
-};
-
 /// x -= c y, or c conj(y).
 void subtract(Vector& x, const mpq_class& re, const mpq_class& im, const Vector& y, bool conjugated, Budget& budget) {
   const mpq_class minus_re = -re, minus_im = -im;
@@ -56,52 +39,19 @@ void subtract(Vector& x, const mpq_class& re, const mpq_class& im, const Vector&
   }
 }
 
-Vector image(const RationalMatrix& b, const Vector& x, Budget& budget) {
-  const std::size_t n = b.rows;
-  Vector y{std::vector<mpq_class>(n), std::vector<mpq_class>(n)};
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      add_product(y.real[i], b.at(i, j), x.real[j], budget);
-      if (!x.imaginary.empty()) add_product(y.imaginary[i], b.at(i, j), x.imaginary[j], budget);
-    }
-  }
-  return y;
-}
-
-/// \throws Rejected when sum |c_j| + ||B x - sum c_j v_j||_1 / unit > bound
-void prove_image(const RationalMatrix& b, const Vector& x, const Json& terms, const Polytope& polytope, const mpq_class& bound,
-                 const std::string& where, Budget& budget) {
-  const std::string step = "polytope";
-  const std::size_t count = polytope.vectors.size();
-  if (!terms.is_array() || terms.size() > count) throw Rejected{step, where + ": needs a list of terms"};
-  Vector rest = image(b, x, budget);
-  mpq_class sum = 0;
-  const mpq_class one = 1;
-  for (const Json& term : terms) {
-    if (!term.is_array() || term.size() < 2 || term.size() > 3 || !term[0].is_number_unsigned())
-      throw Rejected{step, where + ": a term is [index, number] or [index, number, number]"};
-    const std::uint64_t index = term[0].get<std::uint64_t>();
-    if (index >= 2 * count) throw Rejected{step, where + ": a term has an index that is too large"};
-    const mpq_class re = read_number(term[1], step, where, budget);
-    const mpq_class im = term.size() == 3 ? read_number(term[2], step, where, budget) : mpq_class(0);
-    subtract(rest, re, im, polytope.vectors[index % count], index >= count, budget);
-    add_product(sum, one, modulus(re, im, budget), budget);
-  }
-  mpq_class remainder = 0;
-  for (const auto* part : {&rest.real, &rest.imaginary})
-    for (const mpq_class& entry : *part) add_product(remainder, one, abs(entry), budget);
-  budget.work(1000 + 20 * limbs(remainder) * limbs(polytope.unit));
-  remainder /= polytope.unit;
-  add_product(sum, one, remainder, budget);
-  budget.work(100 + 20 * limbs(sum) * limbs(bound));
-  if (sum > bound) throw Rejected{step, where + ": the image is longer than the bound"};
-}
-
 void require(bool condition, const std::string& reason) {
   if (!condition) throw Rejected{"polytope", reason};
 }
 
 }  // namespace
+
+mpq_class read_number(const Json& value, const std::string& step, const std::string& what, Budget& budget) {
+  if (!value.is_string()) throw Rejected{step, what + " needs strings as numbers"};
+  const auto& text = value.get_ref<const std::string&>();
+  budget.work(500 + 2. * static_cast<double>(text.size()) * static_cast<double>(text.size()));
+  budget.hold(100 + 2. * static_cast<double>(text.size()));
+  return read_rational(text, step);
+}
 
 void add_product(mpq_class& x, const mpq_class& y, const mpq_class& z, Budget& budget) {
   if (y == 0 || z == 0) {
@@ -119,6 +69,52 @@ RationalMatrix product(const RationalMatrix& a, const RationalMatrix& b, Budget&
     for (std::size_t k = 0; k < a.columns; ++k)
       for (std::size_t j = 0; j < b.columns; ++j) add_product(result.at(i, j), a.at(i, k), b.at(k, j), budget);
   return result;
+}
+
+Vector product(const RationalMatrix& b, const Vector& x, Budget& budget) {
+  const std::size_t n = b.rows;
+  Vector y{std::vector<mpq_class>(n), std::vector<mpq_class>(x.imaginary.size())};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      add_product(y.real[i], b.at(i, j), x.real[j], budget);
+      if (!x.imaginary.empty()) add_product(y.imaginary[i], b.at(i, j), x.imaginary[j], budget);
+    }
+  }
+  return y;
+}
+
+void prove_inside(Vector y, const mpq_class& error, const Json& terms, const Hull& hull, const mpq_class& bound,
+                  const std::string& where, Budget& budget) {
+  const std::string step = "polytope";
+  const std::size_t n = y.real.size(), count = hull.vectors.size();
+  if (!terms.is_array() || terms.size() > 2 * count) throw Rejected{step, where + ": needs a list of terms"};
+  const mpq_class one = 1;
+  mpq_class sum = 0, uncertainty = error;
+  bool complex = !y.imaginary.empty();
+  y.imaginary.resize(n);
+  for (const Json& term : terms) {
+    if (!term.is_array() || term.size() < 2 || term.size() > 3 || !term[0].is_number_unsigned())
+      throw Rejected{step, where + ": a term is [index, number] or [index, number, number]"};
+    const std::uint64_t index = term[0].get<std::uint64_t>();
+    if (index >= 2 * count) throw Rejected{step, where + ": a term has an index that is too large"};
+    const mpq_class re = read_number(term[1], step, where, budget);
+    const mpq_class im = term.size() == 3 ? read_number(term[2], step, where, budget) : mpq_class(0);
+    const mpq_class size = modulus(re, im, budget);
+    complex = complex || im != 0;
+    subtract(y, re, im, hull.vectors[index % count], index >= count, budget);
+    add_product(sum, one, size, budget);
+    if (!hull.errors.empty()) add_product(uncertainty, size, hull.errors[index % count], budget);
+  }
+  // Each coordinate of the remainder is off by at most the uncertainty (in the complex plane: both parts are).
+  mpq_class remainder = 0;
+  add_product(remainder, mpq_class((complex ? 2 : 1) * static_cast<unsigned long>(n)), uncertainty, budget);
+  for (const auto* part : {&y.real, &y.imaginary})
+    for (const mpq_class& entry : *part) add_product(remainder, one, abs(entry), budget);
+  budget.work(1000 + 20 * limbs(remainder) * limbs(hull.unit));
+  remainder /= hull.unit;
+  add_product(sum, one, remainder, budget);
+  budget.work(100 + 20 * limbs(sum) * limbs(bound));
+  if (sum > bound) throw Rejected{step, where + ": the image is longer than the bound"};
 }
 
 RationalMatrix read_matrix(const Json& json, const std::string& step, const std::string& what, Budget& budget) {
@@ -177,26 +173,25 @@ Blocks diagonal_blocks(const std::vector<RationalMatrix>& family, const Json& js
 void prove_polytope(const std::vector<RationalMatrix>& family, const mpq_class& bound, const Json& json, Budget& budget) {
   const Reader reader(json, "polytope", "a polytope", {"vectors", "unit", "images"});
   const std::size_t n = family.at(0).rows;
-  Polytope polytope;
-  polytope.unit = read_number(reader.at("unit"), "polytope", "the unit", budget);
-  require(polytope.unit > 0, "the unit is not positive");
+  Hull hull;
+  hull.unit = read_number(reader.at("unit"), "polytope", "the unit", budget);
+  require(hull.unit > 0, "the unit is not positive");
   for (const Json& vector : reader.list("vectors", 0, max_vectors)) {
     require(vector.is_array() && (vector.size() == n || vector.size() == 2 * n), "a vector has a wrong length");
     Vector v;
     for (const Json& entry : vector)
       (v.real.size() < n ? v.real : v.imaginary).push_back(read_number(entry, "polytope", "a vector", budget));
-    polytope.vectors.push_back(std::move(v));
+    hull.vectors.push_back(std::move(v));
   }
-  const std::size_t count = polytope.vectors.size();
+  const std::size_t count = hull.vectors.size();
   const Json& images = reader.list("images", family.size(), family.size());
   for (std::size_t e = 0; e < family.size(); ++e) {
     require(images[e].is_array() && images[e].size() == count + n, "the images of a matrix have a wrong number");
     for (std::size_t i = 0; i < count + n; ++i) {
       Vector unit{std::vector<mpq_class>(n), {}};
-      if (i >= count) unit.real[i - count] = polytope.unit;
-      const Vector& x = i < count ? polytope.vectors[i] : unit;
+      if (i >= count) unit.real[i - count] = hull.unit;
       const std::string where = "matrix " + std::to_string(e) + ", vector " + std::to_string(i);
-      prove_image(family[e], x, images[e][i], polytope, bound, where, budget);
+      prove_inside(product(family[e], i < count ? hull.vectors[i] : unit, budget), 0, images[e][i], hull, bound, where, budget);
     }
   }
 }

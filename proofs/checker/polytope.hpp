@@ -23,6 +23,14 @@ RationalMatrix product(const RationalMatrix& a, const RationalMatrix& b, Budget&
 /// A list of lists of rationals, all of one length. \throws Rejected at `step`
 RationalMatrix read_matrix(const nlohmann::json& json, const std::string& step, const std::string& what, Budget& budget);
 
+/// A rational, after the budget was charged for it. \throws Rejected at `step`
+mpq_class read_number(const nlohmann::json& value, const std::string& step, const std::string& what, Budget& budget);
+/// An element of C^n; the imaginary parts are empty for real vectors.
+struct Vector {
+  std::vector<mpq_class> real, imaginary;
+};
+Vector product(const RationalMatrix& b, const Vector& x, Budget& budget);
+
 /// Diagonal blocks of T^{-1} B_e T, which is verified to be block upper triangular.
 struct Blocks {
   std::vector<std::vector<RationalMatrix>> families;
@@ -30,10 +38,35 @@ struct Blocks {
 /// \param json null for one block, or {"basis": T, "inverse": T^{-1}, "sizes": [...]}. \throws Rejected at "blocks"
 Blocks diagonal_blocks(const std::vector<RationalMatrix>& family, const nlohmann::json& json, Budget& budget);
 
+/// The hull of all z v_j, z conj(v_j), z unit e_k, |z| = 1. Vectors that are known up to `errors` in each coordinate only are written
+/// by their centres; no errors means exact.
+struct Hull {
+  std::vector<Vector> vectors;
+  mpq_class unit;
+  std::vector<mpq_class> errors;
+};
+/// Proves sum |c_j| + ||r||_1 / unit <= bound for y = sum of terms + r and every y within `error` of the one given.
+/// \throws Rejected at "polytope"
+void prove_inside(Vector y, const mpq_class& error, const nlohmann::json& terms, const Hull& hull, const mpq_class& bound,
+                  const std::string& where, Budget& budget);
+
 /// Proves ||B_e x|| <= bound ||x|| for a norm whose unit ball is a polytope, for every matrix of a family of one block; with
 /// the norm of docs/certificate.md, "Polytope norms". \throws Rejected at "polytope"
 void prove_polytope(const std::vector<RationalMatrix>& family, const mpq_class& bound, const nlohmann::json& polytope,
                     Budget& budget);
+
+/// The bounds that a proof for one block gives: lower is 0 unless the polytope is exact.
+struct RadiusBounds {
+  mpq_class lower, upper;
+  std::vector<mpq_class> polynomial;  ///< of which the radius is a root between the bounds; empty for a polytope with rational bound
+};
+/// Proves that the joint spectral radius of a family of one block is a root of a polynomial in an interval, with the exact
+/// polytope of docs/certificate.md. \throws Rejected at "exact_polytope"
+RadiusBounds prove_exact_polytope(const std::vector<RationalMatrix>& family, const nlohmann::json& polytope, Budget& budget);
+
+/// Bounds of a joint spectral radius, with the proof {"word", "form", "blocks"}: see docs/certificate.md. With a polynomial: the radius is one of its
+/// roots between the bounds. \throws Rejected at "lower", "blocks", "polytope", "exact_polytope" or "upper"
+void prove_radius(const std::vector<RationalMatrix>& family, const RadiusBounds& claim, const nlohmann::json& proof, Budget& budget);
 
 /// The joint spectral radius of the family is at most `bound`: {"form": null or as above, "blocks": [a polytope each]}. For
 /// matrices affine in parameters on a box, the family of the matrices at all corners proves it on the whole box.

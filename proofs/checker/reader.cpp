@@ -25,6 +25,8 @@ Scheme read_head(const Reader& reader) {
   return scheme;
 }
 
+}  // namespace
+
 Scheme read_uniform_scheme(const Json& json, Budget& budget) {
   const Reader reader(json, "scheme", "the scheme", {"kind", "name", "parameters", "arity", "first_index", "mask"});
   Scheme scheme = read_head(reader);
@@ -45,6 +47,8 @@ Scheme read_uniform_scheme(const Json& json, Budget& budget) {
   }
   return scheme;
 }
+
+namespace {
 
 /// The rule, and the scheme for equal intervals: a_0 = 1, and a_{1-2o} is the weight of p_{i+o}.
 void read_nonuniform_scheme(const Json& json, Certificate& certificate, Budget& budget) {

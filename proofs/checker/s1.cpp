@@ -24,7 +24,8 @@ std::vector<Dense> divided(std::vector<Dense> symbol, int arity, Budget& budget)
   std::vector<Dense> quotient;
   const auto p = static_cast<std::size_t>(arity);
   for (std::size_t i = 0; i < symbol.size(); ++i) {  // from the lowest index on: sigma begins with 1
-    budget.work(500. * arity * static_cast<double>(symbol[i].size() + 1));
+    const double size = size_of(symbol[i]);
+    budget.work(arity * static_cast<double>(symbol[i].size() + 1) * (500 + 4 * size * size));
     if (i + p <= symbol.size()) {
       for (std::size_t k = 1; k < p; ++k) {
         Dense& target = symbol[i + k];
@@ -44,7 +45,8 @@ std::vector<Dense> divided(std::vector<Dense> symbol, int arity, Budget& budget)
 /// N with N(mu) (mu - 1)^r = p(mu).
 Dense without_factor(Dense p, int r, Budget& budget) {
   for (int k = 0; k < r && !p.empty(); ++k) {
-    budget.work(500. * static_cast<double>(p.size()));
+    const double size = size_of(p);
+    budget.work(static_cast<double>(p.size()) * (500 + 4 * size * size));
     for (std::size_t e = p.size() - 1; e-- > 0;) p[e] += p[e + 1];  // synthetic division: p[0] becomes the remainder
     if (p[0] != 0) throw Rejected{"order", "the masks do not tend to their limit so fast"};
     p.erase(p.begin());
@@ -53,8 +55,8 @@ Dense without_factor(Dense p, int r, Budget& budget) {
 }
 
 /// sum |c_i(mu) - c_i(1)| <= bound |mu - 1|^r over every residue class of i, on the range of mu.
-void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator, int arity, int r, const Interval& range,
-                 const mpq_class& bound, Budget& budget) {
+void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator, int arity, int r,
+                 const Interval& range, const mpq_class& bound, Budget& budget) {
   const mpq_class d = value(denominator, 1, budget);
   if (d == 0) throw Rejected{"denominator", "the masks have no limit"};
   std::vector<Dense> family{denominator};
@@ -62,7 +64,8 @@ void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator,
     const mpq_class limit = value(a, 1, budget) / d;
     Dense difference = a;
     difference.resize(std::max(a.size(), denominator.size()));
-    budget.work(500. * static_cast<double>(difference.size()));
+    const double product = size_of(denominator) + limbs(limit), sum = product + size_of(a);
+    budget.work(static_cast<double>(difference.size()) * (500 + 4 * sum * sum));
     for (std::size_t e = 0; e < denominator.size(); ++e) difference[e] -= limit * denominator[e];
     while (!difference.empty() && difference.back() == 0) difference.pop_back();
     family.push_back(without_factor(std::move(difference), r, budget));
@@ -77,7 +80,8 @@ void prove_bound(const std::vector<Dense>& numerators, const Dense& denominator,
       const mpz_class own = negative ? mpz_class(-below[e]) : below[e];
       budget.work(1000 + 20 * limbs(sum) + 2 * limbs(own) * limbs(bound));
       if (own <= 0) throw Rejected{"denominator", "the masks from step from_level on may have a pole"};
-      if (mpq_class(sum) > bound * own) throw Rejected{"bound", "the constant does not bound the masks' distance from their limit"};
+      if (mpq_class(sum) > bound * own)
+        throw Rejected{"bound", "the constant does not bound the masks' distance from their limit"};
     }
   }
 }
@@ -97,10 +101,12 @@ void check_limit(const Json& json, const Sequence& sequence, int order, Budget& 
   };
   std::vector<mpq_class> stated, own;
   const auto constant_value = [](const Polynomial& p) { return p.empty() ? mpq_class(0) : p.begin()->second; };
-  for (const Polynomial& p : limit.scheme.mask) stated.push_back(constant_value(p) / constant_value(limit.scheme.denominator));
+  for (const Polynomial& p : limit.scheme.mask)
+    stated.push_back(constant_value(p) / constant_value(limit.scheme.denominator));
   const mpq_class d = value(sequence.mask.denominator, 1, budget);
   for (const Dense& a : sequence.mask.numerators) own.push_back(value(a, 1, budget) / d);
-  if (trimmed(stated) != trimmed(own)) throw Rejected{"limit", "the embedded certificate is about another mask than the limit"};
+  if (trimmed(stated) != trimmed(own))
+    throw Rejected{"limit", "the embedded certificate is about another mask than the limit"};
   check_smoothness(json, budget);
 }
 

@@ -32,12 +32,6 @@ void trim(Dense& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
 
-double size_of(const Dense& p) {
-  double size = 1;
-  for (const mpq_class& c : p) size = std::max(size, limbs(c));
-  return size;
-}
-
 Dense times(const Dense& x, const Dense& y, Budget& budget) {
   const double terms = static_cast<double>(x.size()) * static_cast<double>(y.size()), a = size_of(x), b = size_of(y);
   budget.work(terms * (500 + 4 * (a + b) * (a + b)));
@@ -48,6 +42,7 @@ Dense times(const Dense& x, const Dense& y, Budget& budget) {
   return result;
 }
 
+/// x += factor y; the cost is that of making y.
 void add(Dense& x, const Dense& y, const mpq_class& factor) {
   x.resize(std::max(x.size(), y.size()));
   for (std::size_t i = 0; i < y.size(); ++i) x[i] += factor * y[i];
@@ -210,7 +205,8 @@ void prove_identities(const Sequence& sequence, const Function& f, bool generate
           if (odd && (at_zero || f.frequency == 0)) continue;  // sin vanishes identically
           const Dense defect = moments.defect(f, {residue, m, odd}, generates);
           if (at_zero ? value(defect, 1, budget) != 0 : !defect.empty())
-            throw Rejected{"identity", "moment " + std::to_string(m) + " at residue " + std::to_string(residue) + " is not as it has to be"};
+            throw Rejected{"identity", "moment " + std::to_string(m) + " at residue " + std::to_string(residue) +
+                                           " is not as it has to be"};
         }
   }
 }
@@ -227,7 +223,8 @@ void prove_defect(const Sequence& sequence, const Function& f, const Json& json,
   const Moments moments(sequence.mask, sequence.arity, tau, budget);
   const Dense defect = moments.defect(f, at, generates);
   const Interval range = level_range(sequence, angles, level, static_cast<int>(tau.get_den().get_si()), budget);
-  if (!has_strict_sign(defect, range, budget)) throw Rejected{"defect", "the moment is not proved to be wrong at every angle"};
+  if (!has_strict_sign(defect, range, budget))
+    throw Rejected{"defect", "the moment is not proved to be wrong at every angle"};
 }
 
 }  // namespace
@@ -253,8 +250,10 @@ std::string check_s2(const Json& json, Budget& budget) {
     statement.functions = {statement.functions[which]};
     const Reader region(proof.at("region"), "proof", "the region", {sequence.angle});
     angles = read_angles(region.text(region.at(sequence.angle.c_str()), "the interval"), sequence, "proof", budget);
-    if (!is_inside({angles}, {certificate.angles})) throw Rejected{"covering", "the region is not inside the claimed region"};
-    counterexample = std::string("; it does ") + (negated ? "not do " : "") + "so with " + statement.texts[which] + shown_angles(sequence, angles);
+    if (!is_inside({angles}, {certificate.angles}))
+      throw Rejected{"covering", "the region is not inside the claimed region"};
+    counterexample = std::string("; it does ") + (negated ? "not do " : "") + "so with " + statement.texts[which] +
+                     shown_angles(sequence, angles);
   }
   require_defined(sequence, angles, proof.integer(proof.at("from_level"), "from_level", 0, 128), budget);
   const mpq_class tau = limit_tau(sequence, budget);
@@ -262,12 +261,14 @@ std::string check_s2(const Json& json, Budget& budget) {
   const bool at_zero = angles.upper.value == 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (negated)
-      prove_defect(sequence, statement.functions[i], proof.list("defects", count, count)[i], statement.generates, angles, tau, budget);
+      prove_defect(sequence, statement.functions[i], proof.list("defects", count, count)[i], statement.generates,
+                   angles, tau, budget);
     else
       prove_identities(sequence, statement.functions[i], statement.generates, at_zero, tau, budget);
   }
   const mpq_class shift = tau / (sequence.arity - 1);
-  return (opposite ? "refuted: " : "certified: ") + shown(sequence) + " " + claimed + shown_angles(sequence, certificate.angles) +
+  return (opposite ? "refuted: " : "certified: ") + shown(sequence) + " " + claimed +
+         shown_angles(sequence, certificate.angles) +
          (statement.generates ? "" : ", with parameters i + " + shift.get_str()) + counterexample + " (theorem S2)";
 }
 

@@ -72,15 +72,18 @@ LevelMask read_mask(const Reader& reader, const std::vector<std::string>& variab
 }
 
 Sequence read_sequence(const Json& json, Budget& budget) {
-  const Reader reader(json, "scheme", "the scheme",
-                      {"kind", "name", "parameters", "level_parameter", "type", "arity", "first_index", "mask", "first_levels"});
+  const Reader reader(
+      json, "scheme", "the scheme",
+      {"kind", "name", "parameters", "level_parameter", "type", "arity", "first_index", "mask", "first_levels"});
   reader.is_first("kind", "nonstationary", "nonstationary");
   Sequence result;
   result.name = reader.text(reader.at("name"), "name");
   const bool plain = std::all_of(result.name.begin(), result.name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.';
   });
-  if (!plain || result.name.empty() || result.name.size() > 200) reader.fail("needs a name of letters, digits, '-', '_' and '.'");
+  if (!plain || result.name.empty() || result.name.size() > 200)
+    reader.fail("needs a name of letters, digits, '-', '_' and '.'");
   result.angle = reader.text(reader.list("parameters", 1, 1)[0], "the angle");
   const std::vector<std::string> variable{reader.text(reader.at("level_parameter"), "level_parameter")};
   if (!is_name(result.angle) || !is_name(variable[0]) || result.angle == variable[0])
@@ -89,7 +92,8 @@ Sequence read_sequence(const Json& json, Budget& budget) {
   result.arity = reader.integer(reader.at("arity"), "arity", 2, 16);
   result.mask = read_mask(reader, variable, budget);
   for (const Json& level : reader.list("first_levels", 0, 64))
-    result.first_levels.push_back(read_mask(Reader(level, "scheme", "a first level", {"first_index", "mask"}), variable, budget));
+    result.first_levels.push_back(
+        read_mask(Reader(level, "scheme", "a first level", {"first_index", "mask"}), variable, budget));
   return result;
 }
 
@@ -126,10 +130,14 @@ Polynomial sparse(const Dense& p) {
   return result;
 }
 
-mpq_class value(const Dense& p, const mpq_class& x, Budget& budget) {
+double size_of(const Dense& p) {
   double size = 1;
   for (const mpq_class& c : p) size = std::max(size, limbs(c));
-  const double n = static_cast<double>(p.size());
+  return size;
+}
+
+mpq_class value(const Dense& p, const mpq_class& x, Budget& budget) {
+  const double n = static_cast<double>(p.size()), size = size_of(p);
   budget.work(n * (500 + 2 * (size + n * limbs(x)) * limbs(x)));
   mpq_class result = 0;
   for (std::size_t k = p.size(); k-- > 0;) result = result * x + p[k];
@@ -145,7 +153,8 @@ Interval read_angles(const std::string& text, const Sequence& sequence, const st
 }
 
 SequenceCertificate read_sequence_certificate(const Json& json, Budget& budget) {
-  const Reader reader(json, "format", "the certificate", {"format", "version", "scheme", "claim", "verdict", "theorem", "proof"});
+  const Reader reader(json, "format", "the certificate",
+                      {"format", "version", "scheme", "claim", "verdict", "theorem", "proof"});
   SequenceCertificate result;
   result.certified = reader.is_first("verdict", "certified", "refuted");
   result.sequence = read_sequence(json["scheme"], budget);
@@ -162,7 +171,9 @@ Interval level_range(const Sequence& sequence, const Interval& angles, int k, in
   mpz_class scale;
   mpz_ui_pow_ui(scale.get_mpz_t(), static_cast<unsigned long>(sequence.arity), static_cast<unsigned long>(k + 1));
   scale *= divisor;
-  const auto at = [&](const Cut& angle, bool up) { return bounds(on_grid(angle.value / scale, up), sequence.hyperbolic, budget); };
+  const auto at = [&](const Cut& angle, bool up) {
+    return bounds(on_grid(angle.value / scale, up), sequence.hyperbolic, budget);
+  };
   const Bounds near = at(angles.lower, false), far = at(angles.upper, true);
   // Without open ends but at 1, which mu does not take when theta = 0 is excluded.
   const Cut one{1, sequence.hyperbolic == (angles.lower.value == 0 && angles.lower.after)};
@@ -175,11 +186,13 @@ Interval level_range(const Sequence& sequence, const Interval& angles, int k, in
 Interval tail_range(const Sequence& sequence, const Interval& angles, int k, Budget& budget) {
   Interval range = level_range(sequence, {{0, false}, {angles.upper.value, true}, ""}, k, 1, budget);
   if (range.is_point())  // theta = 0
-    (sequence.hyperbolic ? range.upper.value : range.lower.value) += (sequence.hyperbolic ? 1 : -1) * mpq_class(1, 1024);
+    (sequence.hyperbolic ? range.upper.value : range.lower.value) +=
+        (sequence.hyperbolic ? 1 : -1) * mpq_class(1, 1024);
   return range;
 }
 
-std::vector<std::vector<mpz_class>> bernstein_rows(const std::vector<Dense>& polynomials, const Interval& range, Budget& budget) {
+std::vector<std::vector<mpz_class>> bernstein_rows(const std::vector<Dense>& polynomials, const Interval& range,
+                                                   Budget& budget) {
   std::vector<Polynomial> all;
   int most = 0;
   for (const Dense& p : polynomials) {

@@ -11,6 +11,8 @@ namespace limes::checker {
 using Dense = std::vector<mpq_class>;
 
 Dense dense(const Polynomial& p);
+/// The size of the largest coefficient in machine words.
+double size_of(const Dense& p);
 Polynomial sparse(const Dense& p);
 mpq_class value(const Dense& p, const mpq_class& x, Budget& budget);
 

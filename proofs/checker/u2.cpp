@@ -85,6 +85,8 @@ bool has_independent_shifts(const Coefficients& a, std::uint64_t P) {
   return true;
 }
 
+}  // namespace
+
 void prove_stability(const LocalScheme& scheme, bool interpolatory, Budget& budget) {
   if (interpolatory) {
     if (!is_interpolatory(scheme)) throw Rejected{"stability", "the scheme is not interpolatory"};
@@ -101,6 +103,8 @@ void prove_stability(const LocalScheme& scheme, bool interpolatory, Budget& budg
     if (has_independent_shifts(scheme.mask.coefficients, prime)) return;
   throw Rejected{"stability", "the shifts are not proved linearly independent"};
 }
+
+namespace {
 
 // ---- The missing factor ---------------------------------------------------------------------------------------------
 

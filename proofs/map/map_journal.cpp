@@ -4,6 +4,7 @@
 #include "proofs/certificate.hpp"
 #include "proofs/certificate_text_impl.hpp"
 #include "proofs/checker/checker.hpp"
+#include "schemes/nonuniform/normalized_rule.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -45,12 +46,12 @@ Json definition_of(const Scheme& scheme, int smoothness, const Box& region) {
   Certificate certificate{.scheme = scheme.name,
                           .parameters = scheme.parameter_names(),
                           .definition = scheme.mask,
-                          .claim = {.smoothness = smoothness, .negated = false, .region = region,
+                          .claim = {.smoothness = smoothness, .negated = false, .space = {}, .region = region,
                                     .expected = Outcome::certified, .source = {}, .erratum = {}},
                           .verdict = Outcome::certified,
                           .theorem = Theorem::u1,
                           .proof = LeafProof{}};
-  if (scheme.insertion_rule) certificate.definition = scheme.insertion_rule->text();
+  if (scheme.insertion_rule) certificate.definition = normalized_text(*scheme.insertion_rule);
   return Json::parse(to_json(certificate)).at("scheme");
 }
 
@@ -60,7 +61,7 @@ MapCell piece_from_json(const Json& json, const VariableNames& names, const Json
   if (verdict == "undecided") return piece;
   piece.verdict = verdict == "refuted" ? Outcome::refuted : Outcome::certified;
   const Json& certificate = json.at("certificate");
-  const Json claim{{"statement", statement({.smoothness = smoothness, .negated = piece.verdict == Outcome::refuted, .region = {},
+  const Json claim{{"statement", statement({.smoothness = smoothness, .negated = piece.verdict == Outcome::refuted, .space = {}, .region = {},
                                             .expected = Outcome::certified, .source = {}, .erratum = {}})},
                    {"region", region_to_json(piece.region, names)}};
   if (to_string(piece.verdict) != verdict || certificate.at("scheme") != definition || certificate.at("claim") != claim ||
@@ -101,9 +102,9 @@ MapJournal::MapJournal(const std::filesystem::path& file, const Scheme& scheme, 
                {"smoothness", smoothness},
                {"region", region_to_json(region, parameters_)},
                {"tolerance", to_string(options.tolerance)}}.dump() + "\n";
-  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) fail();
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) throw InputError(fmt::format("the journal '{}' is in use", file.string()));
+  descriptor_.number = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_.number < 0) fail();
+  if (::flock(descriptor_.number, LOCK_EX | LOCK_NB) != 0) throw InputError(fmt::format("the journal '{}' is in use", file.string()));
   std::string text;
   {
     std::ifstream stream(file, std::ios::binary);
@@ -112,12 +113,12 @@ MapJournal::MapJournal(const std::filesystem::path& file, const Scheme& scheme, 
   }
   text.resize(text.rfind('\n') + 1);  // npos + 1 is 0
   if (!text.empty()) read(text);
-  if (::ftruncate(descriptor_, static_cast<off_t>(text.size())) != 0) fail();
+  if (::ftruncate(descriptor_.number, static_cast<off_t>(text.size())) != 0) fail();
   if (text.empty()) write(head_);
 }
 
-MapJournal::~MapJournal() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+MapJournal::Descriptor::~Descriptor() {
+  if (number >= 0) ::close(number);
 }
 
 void MapJournal::read(const std::string& text) {
@@ -158,12 +159,12 @@ void MapJournal::append(const MapRecord& record) {
 void MapJournal::write(const std::string& line) {
   // What a kill leaves of a line has no end, and is cut off when the file is opened again.
   for (std::size_t done = 0; done < line.size();) {
-    const ssize_t count = ::write(descriptor_, line.data() + done, line.size() - done);
+    const ssize_t count = ::write(descriptor_.number, line.data() + done, line.size() - done);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail();
     done += static_cast<std::size_t>(count);
   }
-  if (::fsync(descriptor_) != 0) fail();
+  if (::fsync(descriptor_.number) != 0) fail();
 }
 
 void MapJournal::fail() const {

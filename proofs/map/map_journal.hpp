@@ -15,9 +15,6 @@ class MapJournal {
   /// Opens or makes the file. \throws InputError when it cannot be read or written, belongs to another scheme, claim or tolerance, or holds
   /// a line that is no record of this map
   MapJournal(const std::filesystem::path& file, const Scheme& scheme, int smoothness, const Box& region, const MapOptions& options);
-  ~MapJournal();
-  MapJournal(const MapJournal&) = delete;
-  MapJournal& operator=(const MapJournal&) = delete;
 
   /// How many records an earlier run left.
   std::size_t size() const { return records_.size(); }
@@ -36,7 +33,15 @@ class MapJournal {
   int smoothness_;
   std::map<std::string, MapRecord> records_;
   std::mutex mutex_;
-  int descriptor_ = -1;
+  /// Closed, and so unlocked, also when the constructor throws.
+  struct Descriptor {
+    Descriptor() = default;
+    ~Descriptor();
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number = -1;
+  };
+  Descriptor descriptor_;
 };
 
 }  // namespace limes

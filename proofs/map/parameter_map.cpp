@@ -155,7 +155,7 @@ class MapSearch {
 
   /// A proof of "C^m" or of "not C^m" on the cell: whether there is one.
   bool prove_cell(const Box& cell, bool negated, MapRecord& record) {
-    const Claim claim{.smoothness = m_, .negated = negated, .region = cell, .expected = Outcome::certified, .source = {}, .erratum = {}};
+    const Claim claim{.smoothness = m_, .negated = negated, .space = {}, .region = cell, .expected = Outcome::certified, .source = {}, .erratum = {}};
     Verdict verdict = prove_as_stated(scheme_, claim, options_.limits, stop_);
     if (verdict.interrupted) throw Interrupted(verdict.reason);
     if (verdict.outcome != Outcome::certified) {
@@ -273,10 +273,11 @@ class MapSearch {
     const double fraction = hint_.approx_crossing(from, to);
     // Doubles are rationals.
     const Rational crossing = from[axis] + Rational(fraction) * (to[axis] - from[axis]);
-    const Rational near = interval.width() / 1000000000;
+    // Much closer than a rational with a short denominator comes to other numbers.
+    const Rational near = interval.width() / 100000000000;
     std::vector<Rational> point = from;
     point[axis] = simplest_between(crossing - near, crossing + near);
-    constexpr int short_denominator = 100000;
+    constexpr int short_denominator = 10000;
     if (denominator(point[axis]) <= short_denominator && seems_at(point) == Seems::critical && is_inside(interval, point[axis])) {
       return {point[axis]};
     }

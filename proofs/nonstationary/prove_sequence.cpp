@@ -10,7 +10,8 @@
 namespace limes {
 namespace {
 
-SequenceAttempt prove_asymptotic(const MaskSequence& sequence, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+SequenceAttempt prove_asymptotic(const MaskSequence& sequence, const Claim& claim, const ProofLimits& limits,
+                                 const Stop& stop) {
   SequenceAttempt attempt;
   if (claim.negated) {
     attempt.reason = "no theorem at hand shows that a nonstationary scheme is not smooth";
@@ -20,7 +21,8 @@ SequenceAttempt prove_asymptotic(const MaskSequence& sequence, const Claim& clai
   const Mask limit = limit_mask(sequence, 0);
   ProofAttempt smooth = prove_smooth(limit, m, {}, limits, stop);
   if (!smooth.proved) {
-    attempt.reason = fmt::format("the limit scheme is not proved to be C{} ({}), which refutes nothing", m, smooth.reason);
+    attempt.reason =
+        fmt::format("the limit scheme is not proved to be C{} ({}), which refutes nothing", m, smooth.reason);
     return attempt;
   }
   AsymptoticAttempt asymptotic = bound_difference_to_limit(sequence, claim.type, claim.region.front(), m);
@@ -42,7 +44,8 @@ SequenceAttempt prove_asymptotic(const MaskSequence& sequence, const Claim& clai
 
 }  // namespace
 
-SequenceAttempt prove_sequence_claim(const MaskSequence& sequence, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+SequenceAttempt prove_sequence_claim(const MaskSequence& sequence, const Claim& claim, const ProofLimits& limits,
+                                     const Stop& stop) {
   const MaskSequence::Range* range = sequence.find(claim.type);
   if (!range || claim.region.size() != 1 || !range->angles.contains(claim.region.front())) {
     throw DomainError("a claim about a nonstationary scheme is about angles in the range of one of its types");

@@ -15,7 +15,8 @@ class SpaceProver {
   SpaceProver(const MaskSequence& sequence, const Claim& claim)
       : sequence_(sequence), claim_(claim), tau_(parameter_tau(sequence)) {
     if (denominator(tau_) > max_tau_denominator) {
-      throw LimitError(fmt::format("linear functions are kept with tau = {} only, whose denominator is too large", to_string(tau_)));
+      throw LimitError(
+          fmt::format("linear functions are kept with tau = {} only, whose denominator is too large", to_string(tau_)));
     }
   }
 
@@ -30,7 +31,8 @@ class SpaceProver {
   /// A part of a moment that is wrong at all these angles in the first step with the common mask.
   std::optional<MomentDefect> fails(const ExponentialFunction& f, const Interval& angles) const {
     const int level = static_cast<int>(sequence_.first_levels.size());
-    const Interval c = level_range(sequence_.mask.arity, claim_.type, angles, level, denominator(tau_).convert_to<int>());
+    const Interval c =
+        level_range(sequence_.mask.arity, claim_.type, angles, level, denominator(tau_).convert_to<int>());
     const bool with_zero = angles.lower == 0 && !angles.lower_open;
     for (const MomentDefect& defect : defects(sequence_.mask, tau_, f, claim_.space->generates, angles.upper == 0)) {
       if (defect.part == MomentPart::odd && with_zero) continue;
@@ -62,7 +64,8 @@ SequenceAttempt prove_space_claim(const MaskSequence& sequence, const Claim& cla
   const std::vector<ExponentialFunction>& functions = claim.space->functions;
   SequenceAttempt attempt;
   for (const ExponentialFunction& f : functions) {
-    if (!fits(f, claim.type)) throw InputError(fmt::format("{} does not belong to the {} type", to_string(f), to_string(claim.type)));
+    if (!fits(f, claim.type))
+      throw InputError(fmt::format("{} does not belong to the {} type", to_string(f), to_string(claim.type)));
   }
   const auto defined = [&](const Interval& where) { return uniform_level(sequence, claim.type, where); };
   const std::optional<int> level = defined(angles);
@@ -108,15 +111,16 @@ SequenceAttempt prove_space_claim(const MaskSequence& sequence, const Claim& cla
 std::string describe_space_proof(const Certificate& certificate) {
   const SpaceProof& proof = std::get<SpaceProof>(certificate.proof);
   const SpaceStatement& space = *certificate.claim.space;
-  if (!proof.function) return proof.defects.empty() ? "every step is an identity" : "a moment of the mask is wrong at every angle";
+  if (!proof.function)
+    return proof.defects.empty() ? "every step is an identity" : "a moment of the mask is wrong at every angle";
   const std::string function = to_string(space.functions[static_cast<std::size_t>(*proof.function)]);
   const std::string where = fmt::format("at {} = {}", certificate.parameters.front(), to_string(proof.angles));
   const char* verb = space.generates ? "generated" : "reproduced";
   if (proof.defects.empty()) return fmt::format("{}: {} is {}", where, function, verb);
   const MomentDefect& defect = proof.defects.front();
-  return fmt::format("{}: {} is not {}: {} moment {} at residue {} is off by {}, c = cos or cosh of the step's angle", where, function,
-                     verb, defect.part == MomentPart::even ? "even" : "odd", defect.moment, defect.residue,
-                     to_string(defect.value, {"c"}));
+  return fmt::format("{}: {} is not {}: {} moment {} at residue {} is off by {}, c = cos or cosh of the step's angle",
+                     where, function, verb, defect.part == MomentPart::even ? "even" : "odd", defect.moment,
+                     defect.residue, to_string(defect.value, {"c"}));
 }
 
 }  // namespace limes

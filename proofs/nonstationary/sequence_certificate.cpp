@@ -15,7 +15,8 @@ Json mask_to_json(const Mask& mask, const std::string& variable) {
   Json entries = Json::array();
   for (const MultivariatePolynomial& a : common.numerators) {
     std::string entry = to_string(a, {variable});
-    if (!common.denominator.is_constant()) entry = "(" + entry + ")/(" + to_string(common.denominator, {variable}) + ")";
+    if (!common.denominator.is_constant())
+      entry = "(" + entry + ")/(" + to_string(common.denominator, {variable}) + ")";
     entries.push_back(std::move(entry));
   }
   return {{"first_index", mask.symbol.lowest()}, {"mask", entries}};
@@ -31,7 +32,8 @@ Json scheme_to_json(const Certificate& certificate) {
             {"arity", sequence.mask.arity}};
   json.update(mask_to_json(sequence.mask, sequence.level_parameter));
   json["first_levels"] = Json::array();
-  for (const Mask& mask : sequence.first_levels) json["first_levels"].push_back(mask_to_json(mask, sequence.level_parameter));
+  for (const Mask& mask : sequence.first_levels)
+    json["first_levels"].push_back(mask_to_json(mask, sequence.level_parameter));
   return json;
 }
 
@@ -70,7 +72,8 @@ std::string sequence_certificate_json(const Certificate& certificate) {
                   {"version", 1},
                   {"scheme", scheme_to_json(certificate)},
                   {"claim",
-                   {{"statement", statement(certificate.claim)}, {"region", region_to_json(certificate, certificate.claim.region.front())}}},
+                   {{"statement", statement(certificate.claim)},
+                    {"region", region_to_json(certificate, certificate.claim.region.front())}}},
                   {"verdict", to_string(certificate.verdict)},
                   {"theorem", to_string(certificate.theorem)},
                   {"proof", proof_to_json(certificate)}};

@@ -16,7 +16,8 @@ struct SequenceAttempt {
 /// Decides a claim about a nonstationary scheme for the angles of its region, if S1 (C^m) or S2 (spaces) can. "C^m" is never
 /// refuted: that the limit scheme is not C^m says nothing about the scheme (four-point with w_k = 1/(8+k) is C^1, its limit, the
 /// polygon, is not). [Dyn & Levin 1995]
-SequenceAttempt prove_sequence_claim(const MaskSequence& sequence, const Claim& claim, const ProofLimits& limits, const Stop& stop);
+SequenceAttempt prove_sequence_claim(const MaskSequence& sequence, const Claim& claim, const ProofLimits& limits,
+                                     const Stop& stop);
 
 /// Theorem S2 alone. \pre claim.space
 SequenceAttempt prove_space_claim(const MaskSequence& sequence, const Claim& claim);

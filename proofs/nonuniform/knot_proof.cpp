@@ -44,7 +44,9 @@ std::vector<Box> pieces_without_poles(const InsertionRule& rule, const Box& regi
       result.push_back(box);
       continue;
     }
-    if (result.size() + waiting.size() > max_pieces) throw LimitError("the denominators of the rule have no sign that is easily proved");
+    if (result.size() + waiting.size() > max_pieces) {
+      throw LimitError("the denominators of the rule have no sign that is easily proved");
+    }
     auto [lower, upper] = bisect(box, axis);
     waiting.push_back(std::move(upper));
     waiting.push_back(std::move(lower));

@@ -30,9 +30,10 @@ struct RatioTest {
     });
   }
   bool refutes(const Box& box, const std::vector<Rational>& inside) const {
-    return !guards.empty() && has_guards(box) && guards.front()(inside) > 0 && std::any_of(values.begin(), values.end(), [&](const MultivariatePolynomial& value) {
-             return value(inside) <= 0 && BernsteinForm(value, box).upper() <= 0;
-           });
+    if (guards.empty() || !has_guards(box) || guards.front()(inside) <= 0) return false;
+    return std::any_of(values.begin(), values.end(), [&](const MultivariatePolynomial& value) {
+      return value(inside) <= 0 && BernsteinForm(value, box).upper() <= 0;
+    });
   }
   void add_determinant(int m) {
     if (has_determinant || values.empty() || rest.degree() < 2) return;

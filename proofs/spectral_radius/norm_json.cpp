@@ -19,6 +19,15 @@ Json form_to_json(const BlockTriangularForm& form) {
   return {{"basis", matrix_to_json(form.basis)}, {"inverse", matrix_to_json(form.inverse)}, {"sizes", form.sizes}};
 }
 
+Json combination_to_json(const SparseCombination& combination, std::size_t vectors) {
+  Json terms = Json::array();
+  for (const HullTerm& term : combination) {
+    terms.push_back(Json::array({std::size_t(term.index) + (term.conjugate ? vectors : 0), to_string(term.re)}));
+    if (term.im != 0) terms.back().push_back(to_string(term.im));
+  }
+  return terms;
+}
+
 Json polytope_to_json(const Polytope& polytope) {
   Json vectors = Json::array(), images = Json::array();
   for (const auto& v : polytope.vectors) {
@@ -28,15 +37,8 @@ Json polytope_to_json(const Polytope& polytope) {
   }
   for (const auto& of_matrix : polytope.images) {
     Json combinations = Json::array();
-    for (const SparseCombination& combination : of_matrix) {
-      Json terms = Json::array();
-      for (const HullTerm& term : combination) {
-        const std::size_t index = std::size_t(term.index) + (term.conjugate ? polytope.vectors.size() : 0);
-        terms.push_back(Json::array({index, to_string(term.re)}));
-        if (term.im != 0) terms.back().push_back(to_string(term.im));
-      }
-      combinations.push_back(std::move(terms));
-    }
+    for (const SparseCombination& combination : of_matrix)
+      combinations.push_back(combination_to_json(combination, polytope.vectors.size()));
     images.push_back(std::move(combinations));
   }
   return {{"vectors", std::move(vectors)}, {"unit", to_string(polytope.unit)}, {"images", std::move(images)}};

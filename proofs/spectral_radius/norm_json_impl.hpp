@@ -10,6 +10,8 @@ namespace limes {
 nlohmann::ordered_json matrix_to_json(const RationalMatrix& a);
 /// null for one block.
 nlohmann::ordered_json form_to_json(const BlockTriangularForm& form);
+/// [[index, re], [index, re, im], ..], with the number of vectors added to the index of a conjugate.
+nlohmann::ordered_json combination_to_json(const SparseCombination& combination, std::size_t vectors);
 nlohmann::ordered_json polytope_to_json(const Polytope& polytope);
 /// {"form", "blocks"}; the bound is not part of it.
 nlohmann::ordered_json norm_to_json(const PolytopeNorm& norm);

@@ -76,10 +76,12 @@ bool ContractionProver::proves_norm(int level, const Box& box) const {
 
 std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& box) const {
   const std::optional<MatrixFamily> sections = section_hull(b_, denominator_, arity_, box);
-  if (!sections || sections->front().rows() > limits_.max_polytope_dimension || approx_radius(*sections, stop_) >= enough) {
+  constexpr int bits = 20;
+  static const Rational bound = 1 - power(Rational(2), -bits);
+  if (!sections || sections->front().rows() > limits_.max_polytope_dimension ||
+      approx_radius(*sections, stop_) >= 1 - std::ldexp(1, -bits)) {
     return std::nullopt;
   }
-  static const Rational bound = 1 - power(Rational(2), -20);
   std::optional<PolytopeNorm> norm = find_polytope(*sections, bound, limits_.polytope, stop_);
   if (!norm) return std::nullopt;
   return PolytopeWitness{std::move(*norm)};

@@ -29,6 +29,7 @@ ComputedResult verify_values(const TableCommand& command, const Stop& stop) {
   if (!text) throw InputError("'verify' in a table needs --claim");
   Claim claim = read_statement(*text);
   claim.region = region_from_settings(scheme, command.parameters());
+  if (scheme.sequence) claim.type = type_from_settings(scheme, command.parameters());
   const Verdict verdict = prove(scheme, claim, {}, stop);
   if (verdict.interrupted) throw Interrupted(verdict.reason);
   return {{"verdict", single({verdict.outcome, {}})},
@@ -39,6 +40,7 @@ ComputedResult verify_values(const TableCommand& command, const Stop& stop) {
 ComputedResult norm_values(const TableCommand& command, const Stop& stop) {
   command.allow({"--order", "--level", "--param"});
   const Scheme scheme = load_scheme(command.operand());
+  require_one_mask(scheme, "norm");
   const Box region = region_from_settings(scheme, command.parameters());
   if (!is_point(region)) throw InputError("'norm' needs one value of every parameter");
   const Mask mask = at(scheme.mask, midpoint(region));
@@ -51,6 +53,7 @@ ComputedResult norm_values(const TableCommand& command, const Stop& stop) {
 ComputedResult show_values(const TableCommand& command, const Stop&) {
   command.allow({"--param"});
   const Scheme scheme = load_scheme(command.operand());
+  require_one_mask(scheme, "show");
   const Box region = region_from_settings(scheme, command.parameters());
   const VariableNames names = scheme.parameter_names();
   Mask mask = scheme.mask;

@@ -10,6 +10,8 @@ ComputedResult verify_values(const TableCommand& command, const Stop& stop);
 ComputedResult norm_values(const TableCommand& command, const Stop& stop);
 /// show SCHEME [--param ..]: mask, difference_symbol, sum_rule_order, generation_degree, reproduction_degree
 ComputedResult show_values(const TableCommand& command, const Stop& stop);
+/// derive --weight WEIGHT ..: mask, error (of the rounded mask with --round), even_sum, odd_sum, condition
+ComputedResult derive_values(const TableCommand& command, const Stop& stop);
 /// matrix SCHEME --param .. --param gamma=..: modulus, re, im of the eigenvalues by falling modulus; size
 ComputedResult matrix_values(const TableCommand& command, const Stop& stop);
 

@@ -27,14 +27,17 @@ Interval read_end(std::string_view text) {
 
 Interval read_angles(std::string_view text) {
   if (text.find("pi") == std::string_view::npos) return read_interval(text);
-  const bool bracketed = !text.empty() && (text.front() == '[' || text.front() == '(') && text.find(',') != std::string_view::npos;
+  const bool bracketed =
+      !text.empty() && (text.front() == '[' || text.front() == '(') && text.find(',') != std::string_view::npos;
   if (!bracketed) return read_end(text);
   const std::size_t comma = text.find(',');
-  if (text.back() != ']' && text.back() != ')') throw InputError(fmt::format("the interval '{}' ends without a bracket", text));
+  if (text.back() != ']' && text.back() != ')')
+    throw InputError(fmt::format("the interval '{}' ends without a bracket", text));
   const Interval lower = read_end(text.substr(1, comma - 1));
   const Interval upper = read_end(text.substr(comma + 1, text.size() - comma - 2));
-  const Interval result{lower.lower, upper.upper, text.front() == '(' && lower.is_point(), text.back() == ')' && upper.is_point()};
-  if (result.lower >= result.upper) throw InputError(fmt::format("the interval '{}' is empty or a single angle", text));
+  const Interval result{lower.lower, upper.upper, text.front() == '(' && lower.is_point(),
+                        text.back() == ')' && upper.is_point()};
+  if (lower.lower >= upper.lower) throw InputError(fmt::format("the interval '{}' is empty or a single angle", text));
   return result;
 }
 

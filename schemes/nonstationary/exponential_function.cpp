@@ -36,7 +36,9 @@ bool fits(const ExponentialFunction& function, AngleType type) {
 }
 
 std::string to_string(const ExponentialFunction& function) {
-  const std::string power = function.degree == 0 ? "" : function.degree == 1 ? "y" : fmt::format("y^{}", function.degree);
+  const std::string power = function.degree == 0   ? ""
+                            : function.degree == 1 ? "y"
+                                                   : fmt::format("y^{}", function.degree);
   if (function.wave == Wave::none) return power.empty() ? "1" : power;
   const std::string wave = wave_names[static_cast<int>(function.wave)];
   return fmt::format("{}{}{}{}", power, power.empty() ? "" : " ", wave,
@@ -54,7 +56,8 @@ ExponentialFunction read_exponential_function(const std::string& text) {
   const std::string function = trimmed(text);
   std::smatch match;
   if (function.empty() || function.size() > 40 || !std::regex_match(function, match, form)) {
-    throw InputError(fmt::format("'{}' is no function: expected such as 1, y, y^2, cos, sin(2y), y cosh", function.substr(0, 40)));
+    throw InputError(
+        fmt::format("'{}' is no function: expected such as 1, y, y^2, cos, sin(2y), y cosh", function.substr(0, 40)));
   }
   ExponentialFunction result;
   if (match[2].matched) result.degree = small_number(match[3], 1, function);
@@ -68,7 +71,8 @@ ExponentialFunction read_exponential_function(const std::string& text) {
 std::vector<ExponentialFunction> read_exponential_functions(const std::string& text) {
   const std::string set = trimmed(text);
   if (set.size() < 3 || set.front() != '{' || set.back() != '}') {
-    throw InputError(fmt::format("expected a set of functions such as {{1, y, cos, sin}} but found '{}'", set.substr(0, 40)));
+    throw InputError(
+        fmt::format("expected a set of functions such as {{1, y, cos, sin}} but found '{}'", set.substr(0, 40)));
   }
   std::vector<ExponentialFunction> functions;
   for (std::size_t begin = 1; begin < set.size();) {

@@ -40,7 +40,8 @@ MultivariatePolynomial value(const ExponentialFunction& f, int u) {
 void check_basis(const std::vector<ExponentialFunction>& basis) {
   constexpr std::size_t max_functions = 12;
   if (basis.empty() || basis.size() % 2 != 0 || basis.size() > max_functions) {
-    throw InputError(fmt::format("a space of interpolation has an even number of functions, from 2 to {}", max_functions));
+    throw InputError(
+        fmt::format("a space of interpolation has an even number of functions, from 2 to {}", max_functions));
   }
   const auto partner = [](ExponentialFunction f) {
     constexpr Wave partners[] = {Wave::none, Wave::sin, Wave::cos, Wave::sinh, Wave::cosh};
@@ -49,13 +50,15 @@ void check_basis(const std::vector<ExponentialFunction>& basis) {
   };
   for (const ExponentialFunction& f : basis) {
     const bool hyperbolic = !fits(f, AngleType::trigonometric);
-    if (std::any_of(basis.begin(), basis.end(), [&](const auto& g) { return hyperbolic && !fits(g, AngleType::hyperbolic); })) {
+    if (std::any_of(basis.begin(), basis.end(),
+                    [&](const auto& g) { return hyperbolic && !fits(g, AngleType::hyperbolic); })) {
       throw InputError("trigonometric and hyperbolic functions in one space");
     }
     if (f.frequency > 4) throw LimitError(fmt::format("{}: frequencies above 4", to_string(f)));
     for (const ExponentialFunction& g : {partner(f), ExponentialFunction{f.degree - 1, f.frequency, f.wave}}) {
       if (g.degree >= 0 && std::count(basis.begin(), basis.end(), g) == 0) {
-        throw InputError(fmt::format("a space that contains {} and all its shifts also contains {}", to_string(f), to_string(g)));
+        throw InputError(
+            fmt::format("a space that contains {} and all its shifts also contains {}", to_string(f), to_string(g)));
       }
     }
   }
@@ -112,7 +115,8 @@ Mask interpolation_mask(const std::vector<ExponentialFunction>& basis) {
   const std::vector<RationalFunction> weights = solve(std::move(rows));
   std::vector<RationalFunction> coefficients(static_cast<std::size_t>(4 * n - 1), RationalFunction(1));
   for (int j = 1; j <= n; ++j) {
-    for (const int i : {2 * n - 2 * j, 2 * n - 2 + 2 * j}) coefficients[static_cast<std::size_t>(i)] = weights[static_cast<std::size_t>(j - 1)];
+    for (const int i : {2 * n - 2 * j, 2 * n - 2 + 2 * j})
+      coefficients[static_cast<std::size_t>(i)] = weights[static_cast<std::size_t>(j - 1)];
   }
   coefficients[static_cast<std::size_t>(2 * n - 1)] = RationalFunction::constant(1, 1);
   return {2, LaurentPolynomial(1, 1 - 2 * n, std::move(coefficients))};

@@ -15,14 +15,12 @@ const MaskSequence::Range* MaskSequence::find(AngleType type) const {
 }
 
 Mask limit_mask(const MaskSequence& sequence, int variables) {
-  const LaurentPolynomial& symbol = sequence.mask.symbol;
+  const LaurentPolynomial limit = sequence.mask.symbol.at(std::array<Rational, 1>{1});
   std::vector<RationalFunction> coefficients;
-  for (const Rational& c : symbol.at(std::array<Rational, 1>{1}).rational_coefficients()) {
+  for (const Rational& c : limit.rational_coefficients())
     coefficients.push_back(RationalFunction::constant(variables, c));
-  }
-  // at() drops zeros at the ends.
-  const LaurentPolynomial limit = symbol.at(std::array<Rational, 1>{1});
-  return {sequence.mask.arity, LaurentPolynomial(variables, limit.is_zero() ? 0 : limit.lowest(), std::move(coefficients))};
+  return {sequence.mask.arity,
+          LaurentPolynomial(variables, limit.is_zero() ? 0 : limit.lowest(), std::move(coefficients))};
 }
 
 }  // namespace limes

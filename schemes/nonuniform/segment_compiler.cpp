@@ -246,7 +246,7 @@ int SegmentCompiler::compile_split(const Expression& e, const Expression::Call& 
   const int s = segment_argument(call.arguments[1]);
   const int pieces =
       call.arguments.size() == 2 ? r + 1 : integer_argument(call.arguments[2], 1, r + 1, "the number of pieces");
-  spend(std::size_t(pieces * (r + 2) * node(s).size()), e);
+  spend(std::size_t(pieces * (r + 2) * (r + 2) * node(s).size() / 4), e);  // the operations, against those of one entry
   const RationalMatrix map = split_in_pieces(node(s).degree, r, pieces);
   if (map.rows() == 0) {
     fail(e, fmt::format("{} pieces of degree {} that join C{} do not suffice for the {}-jets of a segment of degree "

@@ -73,19 +73,6 @@ TEST(Dominance, FactorsThatVanishSomewhere) {
 
 // ---- separation (Karciauskas & Peters 2013, Props. 2 and 5) ------------------------------------------------------------
 
-namespace {
-
-/// C^1 of the four-point scheme from cubic interpolants at one w, the cubic factor by separation.
-Json separated(const std::string& w, const Json& curves, const Json& distances, const std::string& gamma = "(0, 1]") {
-  auto json = n1(4, Let{}, a131_rule, "C1", {{"w", w}}, 4, {{"w", "1"}, a131_factor}, {2, 1},
-                 {{0, "rouche"}, {1, "separation", gamma}});
-  json["proof"]["dominance"][1]["curves"] = curves;
-  if (!distances.is_null()) json["proof"]["dominance"][1]["distances"] = distances;
-  return json;
-}
-
-}  // namespace
-
 TEST(Separation, AllRootsReal) {
   const Json none;
   expect_valid(separated("1/20", {"0", "3/25", "13/50", "1/2"}, none));

@@ -197,19 +197,6 @@ TEST(N1, TheRadiusBelongsToTheLeadingTermToo) {
                    "dominance covering");
 }
 
-namespace {
-
-/// 9/16 of the quadratic interpolant on the left and 7/16 of that on the right; `left` of it, to be exact.
-Json one_sided(const std::string& left = "9/16") {
-  const Factors factors{{"-1", "4"}, {"9", "128"}, {"7", "128"}, {"63*gamma+63", "-736*gamma-800", "2048*gamma+2048"}};
-  auto json = n1(4, Let{}, left + "*at(f(2,0),1/2) + (1-" + left + ")*at(f(2,1),1/2)", "C1", Json::object(), 4, factors,
-                 {1, 1, 1, 1}, {{0, "rouche"}, {1, "rouche"}, {2, "rouche"}, {3, "rouche"}});
-  json["proof"]["mirrored"] = json["proof"]["dominance"];
-  return json;
-}
-
-}  // namespace
-
 TEST(N1, RulesWithoutSymmetry) {
   const auto base = one_sided();
   expect_valid(base);

@@ -99,4 +99,23 @@ inline Json n3(const std::string& rule, const std::string& statement, const std:
                     {{"region", {{"w", w}}}, {"gamma", gamma}});
 }
 
+/// 9/16 of the quadratic interpolant on the left and 7/16 of that on the right; `left` of it, to be exact.
+inline Json one_sided(const std::string& left = "9/16") {
+  const Factors factors{{"-1", "4"}, {"9", "128"}, {"7", "128"}, {"63*gamma+63", "-736*gamma-800", "2048*gamma+2048"}};
+  auto json = n1(4, Let{}, left + "*at(f(2,0),1/2) + (1-" + left + ")*at(f(2,1),1/2)", "C1", Json::object(), 4, factors,
+                 {1, 1, 1, 1}, {{0, "rouche"}, {1, "rouche"}, {2, "rouche"}, {3, "rouche"}});
+  json["proof"]["mirrored"] = json["proof"]["dominance"];
+  return json;
+}
+
+/// C^1 of the four-point scheme from cubic interpolants at one w, the cubic factor by separation.
+inline Json separated(const std::string& w, const Json& curves, const Json& distances,
+                      const std::string& gamma = "(0, 1]") {
+  auto json = n1(4, Let{}, a131_rule, "C1", {{"w", w}}, 4, {{"w", "1"}, a131_factor}, {2, 1},
+                 {{0, "rouche"}, {1, "separation", gamma}});
+  json["proof"]["dominance"][1]["curves"] = curves;
+  if (!distances.is_null()) json["proof"]["dominance"][1]["distances"] = distances;
+  return json;
+}
+
 }  // namespace limes::test

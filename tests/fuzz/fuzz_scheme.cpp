@@ -6,9 +6,6 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// CLN's static initialisation leaks 26 bytes.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libcln"; }
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const limes::Scheme scheme = limes::read_scheme({reinterpret_cast<const char*>(data), size}, "fuzz.toml");

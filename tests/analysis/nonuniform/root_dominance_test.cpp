@@ -239,10 +239,20 @@ TEST(SpectrumDominance, FailsWhereItShould) {
 }
 
 TEST(SpectrumDominance, AsymmetricRulesNeedBothSides) {
-  const auto found = prove_spectrum_dominance(split(test::three_point(), 1), box({"[1/100, 1/50]"}), false);
-  bool mirrored_part = false;
-  for (const auto& part : found.parts) mirrored_part = mirrored_part || part.is_mirrored;
-  EXPECT_TRUE(found.proved ? mirrored_part : !found.reason.empty());
+  const auto factors = split(test::three_point(), 1);
+  const auto found = prove_spectrum_dominance(factors, box({"[1/100, 1/50]"}), true);
+  ASSERT_TRUE(found.proved) << found.reason;
+  std::size_t mirrored_parts = 0;
+  for (const auto& part : found.parts) mirrored_parts += part.is_mirrored;
+  EXPECT_EQ(mirrored_parts, factors.ell.size() + factors.r.size());
+  EXPECT_EQ(found.parts.size(), 2 * mirrored_parts);
+  // Where it fails for large ratios only, the point says so.
+  const auto right = split(test::rule("21/20*at(f(2,1),1/2) - 1/20*at(f(2,0),1/2)", {}, 4), 1);
+  EXPECT_TRUE(prove_spectrum_dominance(right, {}, false).proved);
+  const auto fails = prove_spectrum_dominance(right, {}, true);
+  EXPECT_FALSE(fails.proved);
+  ASSERT_TRUE(fails.counterexample.has_value());
+  EXPECT_GT(fails.counterexample->back(), 1);
 }
 
 TEST(SpectrumDominance, CoefficientTestFailsInPrincipleForA35) {

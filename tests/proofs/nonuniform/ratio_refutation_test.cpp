@@ -28,6 +28,13 @@ TEST(RatioRefutation, SmoothnessOneOrderHigher) {
   EXPECT_EQ(decide(catalogue("cu2-4"), "not C2", "[33/1000, 1/25]").outcome, Outcome::certified);
 }
 
+// Conjugate eigenvalues, which no sign at a real number shows.
+TEST(RatioRefutation, ConjugatePairs) {
+  const Verdict verdict = decide(catalogue("a3-5"), "not C3", "[157/10000, 1/50]");
+  ASSERT_EQ(verdict.outcome, Outcome::certified) << verdict.reason;
+  EXPECT_EQ(verdict.certificate->theorem, Theorem::n3);
+}
+
 TEST(RatioRefutation, ASecondEigenvalueEverywhere) {
   EXPECT_EQ(decide(own("at(f(1,0),1/2)", 2), "not C1", "[0, 1/4]").outcome, Outcome::certified);
 }

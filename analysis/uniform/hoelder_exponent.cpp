@@ -1,0 +1,86 @@
+#include "analysis/uniform/hoelder_exponent.hpp"
+
+#include "algebra/error.hpp"
+#include "algebra/number/power_comparison.hpp"
+#include "algebra/polynomial/real_roots.hpp"
+#include "analysis/uniform/difference_symbol.hpp"
+#include "analysis/uniform/finite_sections.hpp"
+
+namespace limes {
+namespace {
+
+/// The transition operator (T v)_i = sum_j c_{pi-j} v_j, c(z) = b(z) b(1/z), on even sequences supported in |i| <= ceil(N / (p-1)); rows and
+/// columns are i, j >= 0. sum_i |b^{[l]}_i|^2 = (T^l delta)_0 grows as its spectral radius, which is an eigenvalue: T maps the cone of
+/// sequences with non-negative Fourier transform to itself, and delta is in its interior.
+RationalMatrix transition_operator(const std::vector<Rational>& b, int p) {
+  const int n = int(b.size()) - 1, size = std::max(1, (n + p - 2) / (p - 1)) + 1;
+  const auto c = [&](int k) {
+    Rational sum = 0;
+    for (int i = 0; i + std::abs(k) <= n; ++i) sum += b[std::size_t(i)] * b[std::size_t(i + std::abs(k))];
+    return sum;
+  };
+  RationalMatrix result(size, size);
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) result(i, j) = j == 0 ? c(p * i) : Rational(c(p * i - j) + c(p * i + j));
+  }
+  return result;
+}
+
+/// (k - 1/2) - (log_p rho(T)) / 2.
+ExponentBounds sobolev_exponent(const LaurentPolynomial& b, int p, int order, int digits) {
+  const Polynomial chi = characteristic_polynomial(transition_operator(b.rational_coefficients(), p));
+  const RootInterval radius = isolate_real_roots(chi, power(Rational(1, 10), digits + 2) / 4).back();
+  if (radius.lower <= 0) return {};
+  const Rational start = order - Rational(1, 2);
+  return {start - logarithm_above(radius.upper, p, digits + 1) / 2, start - logarithm_below(radius.lower, p, digits + 1) / 2};
+}
+
+}  // namespace
+
+MatrixFamily difference_sections(const Mask& mask, int order) {
+  const std::optional<LaurentPolynomial> b = difference_symbol(mask, order);
+  if (!b) throw DomainError("difference_sections: the sum rules have a lower order");
+  const FiniteSections sections(*b, mask.arity);
+  MatrixFamily result;
+  for (int e = 0; e < mask.arity; ++e) result.push_back(sections.product({e}, {}));
+  return result;
+}
+
+HoelderExponent bound_hoelder_exponent(const Mask& mask, int digits, const PolytopeLimits& limits, const Stop& stop) {
+  if (mask.symbol.variables() != 0) throw DomainError("bound_hoelder_exponent: the mask has parameters");
+  HoelderExponent result;
+  Rational sum = 0;
+  for (const Rational& a : mask.symbol.rational_coefficients()) sum += a;
+  if (sum != mask.arity) {
+    result.reason = "the coefficients of the mask do not add up to the arity: the scheme has no continuous limits but zero";
+    return result;
+  }
+  result.order = sum_rule_order(mask);
+  if (result.order == 0) {
+    result.reason = "the symbol has no factor sigma: the scheme does not map constants to constants";
+    return result;
+  }
+  result.stability = prove_stability(mask);
+  const int p = mask.arity;
+  result.radius = bound_spectral_radius(difference_sections(mask, result.order), {digits + 1, limits}, stop);
+
+  const Rational start = result.order - 1;
+  const Rational lower = start - logarithm_above(result.radius.upper, p, digits + 1);
+  const Rational upper = start - logarithm_below(result.radius.lower, p, digits + 1);
+  if (lower > upper) throw InternalError("the bounds of a Hoelder exponent contradict each other");
+  if (lower > 0) {
+    result.bounds.lower = lower;
+    if (result.stability) result.bounds.upper = upper;
+    if (lower == upper && result.stability) result.exact = lower;
+  } else {
+    result.reason = "the joint spectral radius of the differences is not proved small enough for a continuous limit";
+  }
+  result.sobolev = sobolev_exponent(*difference_symbol(mask, result.order), p, result.order, digits);
+  // sup <= l2 <= (number of terms)^{1/2} sup, for every level, gives these two whether or not the shifts are stable.
+  if (result.sobolev.lower && (lower > *result.sobolev.upper || *result.sobolev.lower - Rational(1, 2) > upper))
+    throw InternalError("the bounds of the Hoelder and the Sobolev exponent contradict each other");
+  if (!result.stability) result.sobolev.upper.reset();
+  return result;
+}
+
+}  // namespace limes

@@ -1,0 +1,171 @@
+#include "apps/limes/multiresolution_json.hpp"
+#include "apps/limes/options.hpp"
+#include "apps/limes/session.hpp"
+
+#include "algebra/error.hpp"
+#include "algebra/number/read_rational.hpp"
+#include "reports/plot/plot.hpp"
+#include "schemes/catalogue.hpp"
+#include "schemes/unity/filter_file.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+namespace limes::app {
+namespace {
+
+constexpr int default_cap = 64;  // of the extension, with a threshold
+
+limes::MultiresolutionOptions wanted(const FilterOptions& options) {
+  limes::MultiresolutionOptions result;
+  result.extension = options.extension.value_or(options.threshold.empty() ? 0 : default_cap);
+  result.shift = options.shift;
+  if (!options.threshold.empty()) {
+    if (options.shift) throw InputError("--shift and --threshold exclude each other");
+    try {
+      result.threshold = read_rational(options.threshold);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("--threshold {}: {}", options.threshold, error.reason()));
+    }
+  }
+  if (options.precision == "exact") return result;
+  result.arithmetic = Arithmetic::binary64;
+  if (options.precision == "double") return result;
+  result.arithmetic = Arithmetic::multiprecision;
+  const char* end = options.precision.data() + options.precision.size();
+  const auto [stopped, error] = std::from_chars(options.precision.data(), end, result.digits);
+  if (error != std::errc() || stopped != end || result.digits < 20 || result.digits > 1000)
+    throw InputError(fmt::format("--precision {}: expected exact, double, or 20 to 1000 digits", options.precision));
+  return result;
+}
+
+struct BinaryMask {
+  std::string scheme;
+  Mask mask;
+  std::vector<Rational> coefficients;
+};
+
+BinaryMask load_binary_mask(const std::string& name, const std::vector<std::string>& settings) {
+  const Scheme scheme = load_scheme(name);
+  if (scheme.kind != SchemeKind::uniform || scheme.mask.arity != 2)
+    throw InputError(fmt::format("{} is no uniform binary scheme: filters need one mask of arity 2", scheme.name));
+  const Box region = region_from_settings(scheme, settings);
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    if (region[k].is_point()) continue;
+    throw InputError(fmt::format("filters need one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
+  }
+  Mask mask = at(scheme.mask, midpoint(region));
+  std::vector<Rational> coefficients = mask.symbol.rational_coefficients();
+  return {scheme.name, std::move(mask), std::move(coefficients)};
+}
+
+Multiresolution find(const BinaryMask& mask, const limes::MultiresolutionOptions& options, const Stop& stop) {
+  try {
+    return find_multiresolution(mask.coefficients, options, stop);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", mask.scheme, error.reason()));
+  }
+}
+
+std::string shown(const RationalBounds& bounds) {
+  const std::string low = to_decimal(bounds.lower, 10, Rounding::down), high = to_decimal(bounds.upper, 10, Rounding::up);
+  return low == high ? low : "[" + low + ", " + high + "]";
+}
+
+std::string shown(const Rational& x) {
+  const std::string exact = to_string(x);
+  return exact.size() <= 12 ? exact : to_decimal(x, 9, Rounding::nearest);
+}
+
+void print(const MultiresolutionReport& report) {
+  const FilterBank& bank = report.result.bank;
+  const int mask_length = bank.length() - bank.extension;
+  std::cout << fmt::format("{}: filters of length {} (mask {}, extension {}), shift {}\n", report.scheme, bank.length(), mask_length,
+                           bank.extension, bank.shift);
+  for (const auto& [name, filter] : {std::pair{'p', &bank.p}, {'a', &bank.a}, {'b', &bank.b}, {'q', &bank.q}}) {
+    std::string line;
+    for (const Rational& x : *filter) line += (line.empty() ? "" : "  ") + shown(x);
+    std::cout << fmt::format("  {}: {}\n", name, line);
+  }
+  std::cout << fmt::format("orthogonality error ||P^T q||: {}\n", shown(report.proof.orthogonality_error))
+            << fmt::format("least singular value of P: {}, ||A||: {}, ||B||: {}\n", shown(report.proof.sigma_min_p),
+                           shown(report.proof.norm_a), shown(report.proof.norm_b));
+  const Rational constants = exact_detail_of_constants(bank);
+  if (constants == 0)
+    std::cout << "details of constants: 0\n";
+  else
+    std::cout << fmt::format("details of constants: {} (the mask violates the sum rules: details change when the data are "
+                             "translated; use --homogeneous)\n", shown(constants));
+  if (report.proof.certificate_json.empty()) {
+    std::cout << fmt::format("biorthogonal up to {} (no certificate: --precision exact makes one)\n",
+                             to_decimal(exact_biorthogonality_defect(bank), 3, Rounding::up));
+  } else {
+    std::cout << fmt::format("biorthogonal: certified (theorem B1), {}\n", report.certificate);
+  }
+  if (!report.result.threshold_reached)
+    std::cout << fmt::format("the threshold is not reached with an extension of {}\n", report.result.steps.back().extension);
+}
+
+void write_plot(const FilterOptions& options, const std::vector<std::pair<std::string, Multiresolution>>& curves) {
+  Plot plot;
+  plot.title = "Orthogonality error against filter length";
+  plot.x.label = "filter length";
+  plot.y.label = "||P^T q||";
+  plot.y.logarithmic = true;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const auto& [name, result] = curves[c];
+    PlotCurve curve{{}, {palette(c), 1, Dash::solid}, false, name};
+    for (const ExtensionStep& step : result.steps) {
+      if (step.squared_error > 0)
+        curve.points.push_back({static_cast<double>(result.bank.length() - result.bank.extension + step.extension),
+                                std::sqrt(approx_double(step.squared_error))});
+    }
+    plot.items.push_back(PlotMarkers{curve.points, palette(c), 2, {}});
+    plot.items.push_back(std::move(curve));
+  }
+  const std::string ending = options.plot.extension().string();
+  if (ending == ".svg") return write_file(options.plot, to_svg(plot));
+  if (ending == ".pgf") return write_file(options.plot, to_pgf(plot));
+  write_file(options.plot, to_png(plot));
+}
+
+}  // namespace
+
+int run_multiresolution(const FilterOptions& options) {
+  const Session session(options);
+  const limes::MultiresolutionOptions how = wanted(options);
+  if (!options.plot.empty() && options.plot.extension() != ".svg" && options.plot.extension() != ".pgf" && options.plot.extension() != ".png")
+    throw InputError(fmt::format("--plot {}: the ending must be .svg, .pgf or .png", options.plot.string()));
+  const BinaryMask mask = load_binary_mask(options.scheme, options.parameters);
+  std::vector<std::pair<std::string, Multiresolution>> curves{{mask.scheme, find(mask, how, session.stop())}};
+  if (!options.plot.empty()) {
+    for (const std::string& other : options.beside) {
+      const BinaryMask next = load_binary_mask(other, {});
+      curves.emplace_back(next.scheme, find(next, how, session.stop()));
+    }
+    write_plot(options, curves);
+  } else if (!options.beside.empty()) {
+    throw InputError("--beside needs --plot");
+  }
+  const Multiresolution& result = curves.front().second;
+  const BiorthogonalityProof proof = prove_biorthogonality(mask.scheme, mask.mask, result.bank);
+  MultiresolutionReport report{mask.scheme, result, proof, {}, options.output.string()};
+  if (!proof.certificate_json.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(options.certificates, error);
+    const std::filesystem::path file = options.certificates / (mask.scheme + ".multiresolution.json");
+    write_file(file, proof.certificate_json);
+    report.certificate = file.string();
+  }
+  if (!options.output.empty()) write_file(options.output, filters_to_json(result.bank, mask.scheme));
+  if (options.json)
+    std::cout << multiresolution_json(report);
+  else if (!options.quiet)
+    print(report);
+  return result.threshold_reached ? all_as_expected : undecided_or_interrupted;
+}
+
+}  // namespace limes::app

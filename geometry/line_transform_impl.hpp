@@ -1,0 +1,53 @@
+#pragma once
+
+#include "geometry/pyramid.hpp"
+
+#include <array>
+#include <vector>
+
+namespace limes::pyramid_impl {
+
+/// weight times entry (output index + offset) of source 0 or 1.
+struct Tap {
+  int source = 0, offset = 0;
+  double weight = 0;
+};
+
+/// Two sequences to two sequences, each output a sum over taps: from even and odd points to coarse points and details, and
+/// back.
+struct Polyphase {
+  std::array<std::vector<Tap>, 2> outputs;
+  /// How far offsets reach below 0 and above 0.
+  int before = 0, after = 0;
+};
+
+/// The filters without zeros at their ends, placed on the integers.
+struct PlacedFilter {
+  int start = 0;
+  std::vector<double> taps;
+};
+
+struct PlacedBank {
+  explicit PlacedBank(const FilterBank& bank);
+  PlacedFilter a, b, p, q;
+  Polyphase analysis, synthesis;
+};
+
+/// The index in 0 .. size - 1 of the datum that stands at x.
+std::size_t continued(long x, std::size_t size, Boundary boundary);
+
+/// Fine points near an end that P and Q do not give: x_fine = sum weights * (coarse points and details) + sum weights *
+/// (other fine points).
+struct EndSystem {
+  std::vector<std::size_t> unknown;
+  /// Of the transformed line: coarse points at 0 .. n - 1, details at n .. 2n - 1.
+  std::vector<std::size_t> transformed;
+  std::vector<std::size_t> known;
+  /// unknown x (transformed, then known), row after row.
+  std::vector<double> weights;
+};
+
+/// None for a periodic boundary. \throws InputError when they are not determined
+std::vector<EndSystem> end_systems(const PlacedBank& bank, std::size_t size, Boundary boundary);
+
+}  // namespace limes::pyramid_impl

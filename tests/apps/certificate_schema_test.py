@@ -1,0 +1,153 @@
+"""docs/certificate.schema.json describes the certificates that limes writes: certificate_schema_test.py SCHEMA LIMES DATA
+
+Every certificate of every theorem fits, and what limes-check rejects for its form does not. A small reader of the part of
+JSON Schema that the schema uses; python3-jsonschema must agree where it is installed.
+"""
+import copy
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+schema_file, limes, data = sys.argv[1:4]
+SCHEMA = json.loads(pathlib.Path(schema_file).read_text())
+TYPES = {"object": dict, "array": list, "string": str}
+
+
+def fits(value, schema):
+    """Whether a value is valid by a schema; an unknown keyword is a failure of the test."""
+    for key, rule in schema.items():
+        if key in ("$schema", "$defs", "title", "description"):
+            continue
+        if key == "$ref":
+            ok = fits(value, SCHEMA["$defs"][rule.removeprefix("#/$defs/")])
+        elif key == "type" and rule == "integer":
+            ok = isinstance(value, int) and not isinstance(value, bool)
+        elif key == "type":
+            ok = isinstance(value, TYPES[rule])
+        elif key == "const":
+            ok = type(value) is type(rule) and value == rule
+        elif key == "enum":
+            ok = any(type(value) is type(choice) and value == choice for choice in rule)
+        elif key == "oneOf":
+            ok = sum(fits(value, choice) for choice in rule) == 1
+        elif key == "anyOf":
+            ok = any(fits(value, choice) for choice in rule)
+        elif key == "allOf":
+            ok = all(fits(value, choice) for choice in rule)
+        elif key == "not":
+            ok = not fits(value, rule)
+        elif key in ("pattern", "minLength", "maxLength"):
+            ok = not isinstance(value, str) or {"pattern": lambda: re.search(rule, value) is not None,
+                                                "minLength": lambda: len(value) >= rule,
+                                                "maxLength": lambda: len(value) <= rule}[key]()
+        elif key in ("minimum", "maximum"):
+            ok = not isinstance(value, int) or (value >= rule if key == "minimum" else value <= rule)
+        elif key in ("items", "prefixItems", "minItems", "maxItems", "uniqueItems"):
+            ok = not isinstance(value, list) or {
+                "items": lambda: all(fits(x, rule) for x in value),
+                "prefixItems": lambda: all(fits(x, r) for x, r in zip(value, rule)),
+                "minItems": lambda: len(value) >= rule,
+                "maxItems": lambda: len(value) <= rule,
+                "uniqueItems": lambda: len(set(map(json.dumps, value))) == len(value)}[key]()
+        elif key in ("properties", "required", "additionalProperties", "maxProperties", "propertyNames"):
+            known = schema.get("properties", {})
+            ok = not isinstance(value, dict) or {
+                "properties": lambda: all(fits(value[k], r) for k, r in rule.items() if k in value),
+                "required": lambda: all(k in value for k in rule),
+                "additionalProperties": lambda: all(k in known or (rule is not False and fits(x, rule))
+                                                    for k, x in value.items()),
+                "maxProperties": lambda: len(value) <= rule,
+                "propertyNames": lambda: all(fits(k, rule) for k in value)}[key]()
+        else:
+            sys.exit(f"the test does not know the keyword {key}")
+        if not ok:
+            return False
+    return True
+
+
+def is_valid(certificate):
+    result = fits(certificate, SCHEMA)
+    if jsonschema:
+        assert result == jsonschema.Draft202012Validator(SCHEMA).is_valid(certificate), "jsonschema disagrees"
+    return result
+
+
+ONE_SIDED = """name = "one-sided"
+kind = "nonuniform"
+[nonuniform]
+points = 4
+[nonuniform.rule]
+new = "9/16*at(f(2,0),1/2) + 7/16*at(f(2,1),1/2)"
+[[claims]]
+claim = "C1"
+"""
+BY_COEFFICIENTS = """name = "by-coefficients"
+kind = "nonuniform"
+[nonuniform]
+points = 2
+[nonuniform.rule]
+coefficients = ["1/2", "1/2"]
+[[claims]]
+claim = "C0"
+[[claims]]
+claim = "not C1"
+"""
+
+certificates = {path.name: json.loads(path.read_text()) for path in pathlib.Path(data).glob("*.json")}
+with tempfile.TemporaryDirectory() as directory:
+    for name, text in (("one", ONE_SIDED), ("two", BY_COEFFICIENTS)):
+        pathlib.Path(directory, name + ".toml").write_text(text)
+    subprocess.run([limes, "verify", "four-point", "cr1", "a1-3-1", directory + "/one.toml", directory + "/two.toml",
+                    "unified-curve", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    for claim in ("reproduces {1, y^2}", "does not reproduce {y}"):
+        subprocess.run([limes, "verify", "unified-curve", "--claim", claim, "--certificates", directory, "--quiet"], check=False,
+                       stdout=subprocess.DEVNULL)
+    for path in pathlib.Path(directory).glob("*.json"):
+        certificates[path.name] = json.loads(path.read_text())
+
+assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2"}
+assert any("mirrored" in c["proof"] for c in certificates.values())
+assert any("coefficients" in c["scheme"] for c in certificates.values())
+for name, certificate in certificates.items():
+    assert is_valid(certificate), f"{name} does not fit the schema"
+
+
+def objects(value, path=()):
+    """The paths of all objects below a value but regions, whose keys are the scheme's own."""
+    if isinstance(value, dict) and (not path or path[-1] != "region"):
+        yield path
+    for key, child in value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ():
+        yield from objects(child, path + (key,))
+
+
+OPTIONAL = {"c", "distances", "mirrored"}
+for name, certificate in certificates.items():
+    for path in objects(certificate):
+        changed = copy.deepcopy(certificate)
+        target = changed
+        for step in path:
+            target = target[step]
+        for own in [*target.keys()]:
+            kept = target.pop(own)
+            assert own in OPTIONAL or not is_valid(changed), f"{name} without {own} in {path} fits the schema"
+            target[own] = {"kept": kept}
+            assert not is_valid(changed), f"{name} with an object as {own} in {path} fits the schema"
+            target[own] = kept
+        target["more"] = 1
+        assert not is_valid(changed), f"{name} with one more key in {path} fits the schema"
+    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2"):
+        for verdict in ("certified", "refuted", "undecided"):
+            if (theorem, verdict) == (certificate["theorem"], certificate["verdict"]):
+                continue
+            changed = copy.deepcopy(certificate)
+            changed["theorem"], changed["verdict"] = theorem, verdict
+            assert not is_valid(changed), f"{name} as {verdict} by {theorem} fits the schema"
+print(f"{len(certificates)} certificates fit the schema")

@@ -32,7 +32,8 @@ RichText assertion(const Scheme& scheme, const Claim& claim) {
     return rich(claim.negated ? fmt::format("None of the functions ${}$ is {}d, at any angle{}.", functions, claim.space->generates ? "generate" : "reproduce", where)
                               : fmt::format("Every step {}s the functions ${}$, at every angle{}.", claim.space->generates ? "generate" : "reproduce", functions, where));
   }
-  const std::string smooth = fmt::format("$C^{{{}}}$", claim.smoothness);
+  if (claim.subject == ClaimSubject::zero_limits) return rich("The scheme has no continuous limits but zero.");
+  const std::string smooth = fmt::format("$C^{{{}}}${}", claim.smoothness, claim.subject == ClaimSubject::projective_limits ? " in its projective version" : "");
   const std::string knots = scheme.insertion_rule && !claim.negated ? ", for every knot sequence" : scheme.insertion_rule ? " for all knot sequences" : "";
   if (scheme.parameters.empty()) return rich(fmt::format("The scheme is {}{}{}.", claim.negated ? "not " : "", smooth, knots));
   const std::string region = region_latex(scheme, claim.region);
@@ -76,7 +77,7 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
     case Theorem::s2:
       return space_proof(scheme, certificate);
     default:
-      return {paragraph(fmt::format("By Theorem {}; the witness data are in the certificate.", to_string(certificate.theorem)))};
+      return {paragraph(fmt::format("By [Theorem {0}](#theorem-{0}); the cone, words and vectors that it needs are in the certificate.", to_string(certificate.theorem)))};
   }
 }
 
@@ -107,6 +108,7 @@ RichText statement_text(const Claim& claim) {
   if (claim.space) {
     return rich(fmt::format("{}{} ${}$", claim.negated ? "not " : "", claim.space->generates ? "generates" : "reproduces", functions_latex(claim.space->functions)));
   }
+  if (claim.subject != ClaimSubject::limits) return prose(statement(claim));
   return rich(fmt::format("{}$C^{{{}}}$", claim.negated ? "not " : "", claim.smoothness));
 }
 
@@ -159,9 +161,9 @@ Blocks exact_smoothness(const ReportedScheme& reported) {
   };
   std::vector<Exact> found;
   for (const DecidedClaim& positive : reported.claims) {
-    if (positive.claim.negated || positive.claim.space || positive.verdict.outcome != Outcome::certified) continue;
+    if (positive.claim.negated || positive.claim.space || positive.claim.subject != ClaimSubject::limits || positive.verdict.outcome != Outcome::certified) continue;
     for (const DecidedClaim& negative : reported.claims) {
-      if (!negative.claim.negated || negative.claim.space || negative.claim.type != positive.claim.type || negative.verdict.outcome != Outcome::certified || negative.claim.smoothness != positive.claim.smoothness + 1) continue;
+      if (!negative.claim.negated || negative.claim.space || negative.claim.type != positive.claim.type || negative.claim.subject != ClaimSubject::limits || negative.verdict.outcome != Outcome::certified || negative.claim.smoothness != positive.claim.smoothness + 1) continue;
       if (const auto box = intersection(positive.claim.region, negative.claim.region)) found.push_back({positive.claim.smoothness, *box});
     }
   }

@@ -70,6 +70,19 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
                                         "samples at $(i+s)h$ exactly if in every residue class of $i$ the moments $\\sum_{k\\equiv i}a_k(\\tau-k)^r\\mathrm{e}^{\\mathrm{i}n\\theta h(\\tau-k)}$, $r=0,\\dots,j$, are $1,0,\\dots,0$; it maps them into the "
                                         "space of $y^r\\mathrm{e}^{\\mathrm{i}n\\theta y}$, $r\\le j$, if the moments do not depend on the class.")}));
   }
+  if (theorems.contains(Theorem::p0)) {
+    blocks.push_back(theorem("P0", "", {paragraph("Let the even or the odd coefficients of a binary mask not sum to $1$. Then $0$ is the only continuous limit. If moreover a product of the sections $(A_e)_{ij}=a_{e+2j-i}$ of the mask has "
+                                                  "a real eigenvalue of at least $1$, the scheme is not $C^0$.")}));
+  }
+  if (theorems.contains(Theorem::p1) || theorems.contains(Theorem::p2)) {
+    blocks.push_back(theorem("P1", "", {paragraph("Let $K$ be the cone over a box $0<l\\le z\\le u$ and $L\\ge1$ such that $K$ contains the vector of ones, every product of at most $L$ sections of the mask maps $K\\setminus0$ to positive vectors and every "
+                                                  "product of $L$ of them into the interior of $K$, and for every such product any two rows of the matrices that map the points of windows have, by bounds over $K$, "
+                                                  "a positive sum of entrywise minima. Then the projective scheme, which refines weights and weighted points and divides, converges.")}));
+  }
+  if (theorems.contains(Theorem::p2)) {
+    blocks.push_back(theorem("P2", "", {paragraph("Let in addition $A_Wv_1=\\lambda_1v_1$ and $A_Wv_2=\\lambda_2v_2$ for a word $W$ of $k$ letters, with $v_1$ in the interior of $K$ and real $\\lambda_2$, $2^{-k}\\lambda_1<|\\lambda_2|<\\lambda_1$, and let the "
+                                                  "limit of the points $A_Uv_2/A_Uv_1$ with weights $A_Uv_1$ not vanish for a word $U$ whose length is a multiple of $L$. Then the projective scheme is not $C^1$.")}));
+  }
   return blocks;
 }
 

@@ -154,6 +154,7 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   }
   write_certificates(schemes, "certificates/", output);
   const References references = load_bibliography();
+  if (latex && !figures(document).empty()) output.write("figures.tex", "latex-figures", figures_latex(document));
   if (latex) output.write("report.tex", "latex", to_latex(document, references, {.fragment = false, .date = source_date()}));
   else output.write("report.md", "markdown", to_markdown(document, references));
   Manifest manifest{.limes_version = LIMES_VERSION, .command = command_words(options), .schemes = {}, .outputs = output.files()};

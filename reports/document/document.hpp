@@ -117,6 +117,8 @@ double estimated_width(const std::string& latex);
 std::vector<std::pair<std::string, std::string>> broken_lines(const Display& display, double width);
 
 std::string to_latex(const Document& document, const References& references, const LatexOptions& options = {});
+/// A document of all plots, one a page in the order of figures(): figures.tex beside the report, for run_latexmk().
+std::string figures_latex(const Document& document);
 /// GitHub's Markdown, with pictures from figures/.
 std::string to_markdown(const Document& document, const References& references);
 

@@ -43,11 +43,17 @@ constexpr const char* preamble = R"(\documentclass[a4paper,11pt]{article}
 \usepackage{booktabs,longtable,array}
 \usepackage{microtype}
 \usepackage{pgfplots}
-\pgfplotsset{compat=1.16,
+% limesplot{name}{page}: from figures.pdf when it was made before (it saves time), else from figures/name.pgf.
+\newcommand{\limesplot}[2]{\IfFileExists{figures.pdf}{\includegraphics[page=#2]{figures.pdf}}{\input{figures/#1.pgf}}}
+)";
+
+constexpr const char* plot_style = R"(\pgfplotsset{compat=1.16,
   every axis/.append style={font=\footnotesize, label style={font=\footnotesize}, title style={font=\small}, axis line style={black!60},
     tick style={black!60}, xlabel near ticks, ylabel near ticks},
   legend style={draw=none, font=\footnotesize}}
-\usepackage[hidelinks]{hyperref}
+)";
+
+constexpr const char* preamble_end = R"(\usepackage[hidelinks]{hyperref}
 \hypersetup{pdfproducer={Limes}, pdfcreator={Limes}}
 % Same input, same bytes: no clock and no path in the PDF.
 \ifdefined\pdftrailerid\pdftrailerid{}\pdfinfoomitdate=1 \pdfsuppressptexinfo=15 \fi
@@ -107,7 +113,7 @@ class LatexWriter {
       bibliography();
       return fragment_start + without_packages(std::move(text_)) + "\\endgroup\n";
     }
-    text_ = preamble;
+    text_ = std::string(preamble) + plot_style + preamble_end;
     text_ += fmt::format("\\hypersetup{{pdftitle={{{}}}}}\n", escaped(document_.title));
     text_ += fmt::format("\\begin{{document}}\n\\begin{{center}}\n{{\\LARGE {}\\par}}\n", escaped(document_.title));
     for (const std::string& line : {inline_text(document_.subtitle), escaped(options_.date)}) {
@@ -244,7 +250,7 @@ class LatexWriter {
     if (options_.fragment) return;
     text_ += "\\begin{figure}[!htbp]\n\\centering\n";
     for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-      text_ += fmt::format("{}\\input{{figures/{}-{}.pgf}}", k > 0 ? "\\hfill\n" : "", figure.name, k + 1);
+      text_ += fmt::format("{}\\limesplot{{{}-{}}}{{{}}}", k > 0 ? "\\hfill\n" : "", figure.name, k + 1, ++plots_);
     }
     text_ += fmt::format("\n\\caption{{{}}}\n\\end{{figure}}\n\n", inline_text(figure.caption));
   }
@@ -313,9 +319,25 @@ class LatexWriter {
   std::map<std::string, int> numbers_;
   std::string text_;
   int propositions_ = 0;
+  int plots_ = 0;
 };
 
 }  // namespace
+
+std::string figures_latex(const Document& document) {
+  std::string text =
+      "% All plots, one a page, so that report.tex need not draw them again at each run.\n\\documentclass[11pt]{article}\n\\usepackage[T1]{fontenc}\n"
+      "\\usepackage[utf8]{inputenc}\n\\usepackage{textcomp,lmodern,amsmath}\n\\usepackage{pgfplots}\n";
+  text += plot_style;
+  text += "\\ifdefined\\pdftrailerid\\pdftrailerid{}\\pdfinfoomitdate=1 \\pdfsuppressptexinfo=15 \\fi\n"
+          "\\usepackage[active,tightpage]{preview}\n\\begin{document}\n";
+  for (const Figure* figure : figures(document)) {
+    for (std::size_t k = 0; k < figure->panels.size(); ++k) {
+      text += fmt::format("\\begin{{preview}}\\input{{figures/{}-{}.pgf}}\\end{{preview}}\n", figure->name, k + 1);
+    }
+  }
+  return text + "\\end{document}\n";
+}
 
 std::string to_latex(const Document& document, const References& references, const LatexOptions& options) {
   return LatexWriter(document, references, options).write();

@@ -57,21 +57,8 @@ int run(const std::vector<std::string>& command, const fs::path& directory, cons
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
-}  // namespace
-
-std::string first_latex_error(const std::string& log) {
-  static const std::regex located(R"(^(\./)?([^:\s]+\.(tex|pgf|sty|cls)):(\d+): (.*)$)");
-  std::istringstream lines(log);
-  std::smatch match;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.size() > 2000) continue;
-    if (std::regex_match(line, match, located)) return fmt::format("{}:{}: {}", match[2].str(), match[4].str(), match[5].str());
-    if (line.starts_with("! ")) return line.substr(2);
-  }
-  return "";
-}
-
-void run_latexmk(const fs::path& source, const std::string& engine, const Stop& stop) {
+/// Runs latexmk on one source and leaves its PDF beside it. \throws InputError
+void compile(const fs::path& source, const std::string& engine, const Stop& stop) {
   const fs::path directory = fs::absolute(source).parent_path(), work = directory / ".latex", name = source.stem();
   std::error_code ignored;
   fs::remove_all(work, ignored);
@@ -89,6 +76,33 @@ void run_latexmk(const fs::path& source, const std::string& engine, const Stop& 
   }
   fs::rename(work / (name.string() + ".pdf"), directory / (name.string() + ".pdf"));
   fs::remove_all(work, ignored);
+}
+
+}  // namespace
+
+std::string first_latex_error(const std::string& log) {
+  static const std::regex located(R"(^(\./)?([^:\s]+\.(tex|pgf|sty|cls)):(\d+): (.*)$)");
+  std::istringstream lines(log);
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() > 2000) continue;
+    if (std::regex_match(line, match, located)) return fmt::format("{}:{}: {}", match[2].str(), match[4].str(), match[5].str());
+    if (line.starts_with("! ")) return line.substr(2);
+  }
+  return "";
+}
+
+void run_latexmk(const fs::path& source, const std::string& engine, const Stop& stop) {
+  const fs::path figures = fs::absolute(source).parent_path() / "figures.tex", drawn = figures.parent_path() / "figures.pdf";
+  std::error_code ignored;
+  if (fs::exists(figures)) compile(figures, engine, stop);
+  try {
+    compile(source, engine, stop);
+  } catch (...) {
+    fs::remove(drawn, ignored);
+    throw;
+  }
+  fs::remove(drawn, ignored);
 }
 
 }  // namespace limes

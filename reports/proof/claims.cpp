@@ -25,12 +25,20 @@ RichText source_text(const Claim& claim) {
 
 /// "For every w in [..] the scheme is C^2."
 RichText assertion(const Scheme& scheme, const Claim& claim) {
-  const std::string smooth = fmt::format("$C^{{{}}}$", claim.smoothness);
+  const std::string type = scheme.sequence && scheme.sequence->types.size() > 1 ? fmt::format(" ({})", to_string(claim.type)) : "";
+  if (claim.space) {
+    const std::string functions = functions_latex(claim.space->functions);
+    const std::string where = fmt::format(" for ${}${}", region_latex(scheme, claim.region), type);
+    return rich(claim.negated ? fmt::format("None of the functions ${}$ is {}d, at any angle{}.", functions, claim.space->generates ? "generate" : "reproduce", where)
+                              : fmt::format("Every step {}s the functions ${}$, at every angle{}.", claim.space->generates ? "generate" : "reproduce", functions, where));
+  }
+  if (claim.subject == ClaimSubject::zero_limits) return rich("The scheme has no continuous limits but zero.");
+  const std::string smooth = fmt::format("$C^{{{}}}${}", claim.smoothness, claim.subject == ClaimSubject::projective_limits ? " in its projective version" : "");
   const std::string knots = scheme.insertion_rule && !claim.negated ? ", for every knot sequence" : scheme.insertion_rule ? " for all knot sequences" : "";
   if (scheme.parameters.empty()) return rich(fmt::format("The scheme is {}{}{}.", claim.negated ? "not " : "", smooth, knots));
   const std::string region = region_latex(scheme, claim.region);
-  if (is_point(claim.region)) return rich(fmt::format("For ${}$ the scheme is {}{}{}.", region, claim.negated ? "not " : "", smooth, knots));
-  return rich(fmt::format("For {} ${}$ the scheme is {}{}.", claim.negated ? "no" : "every", region, smooth, knots));
+  if (is_point(claim.region)) return rich(fmt::format("For ${}${} the scheme is {}{}{}.", region, type, claim.negated ? "not " : "", smooth, knots));
+  return rich(fmt::format("For {} ${}${} the scheme is {}{}.", claim.negated ? "no" : "every", region, type, smooth, knots));
 }
 
 /// With a capital letter and a full stop, unless it begins with a formula.
@@ -64,8 +72,12 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
       return knot_proof(scheme, certificate, state, stop);
     case Theorem::n3:
       return ratio_proof(scheme, certificate, stop);
+    case Theorem::s1:
+      return asymptotic_proof(scheme, certificate);
+    case Theorem::s2:
+      return space_proof(scheme, certificate);
     default:
-      return {paragraph(fmt::format("By Theorem {}; the witness data are in the certificate.", to_string(certificate.theorem)))};
+      return {paragraph(fmt::format("By [Theorem {0}](#theorem-{0}); the cone, words and vectors that it needs are in the certificate.", to_string(certificate.theorem)))};
   }
 }
 
@@ -92,7 +104,13 @@ void append(Blocks& blocks, Blocks more) {
   for (Block& block : more) blocks.push_back(std::move(block));
 }
 
-RichText statement_text(const Claim& claim) { return rich(fmt::format("{}$C^{{{}}}$", claim.negated ? "not " : "", claim.smoothness)); }
+RichText statement_text(const Claim& claim) {
+  if (claim.space) {
+    return rich(fmt::format("{}{} ${}$", claim.negated ? "not " : "", claim.space->generates ? "generates" : "reproduces", functions_latex(claim.space->functions)));
+  }
+  if (claim.subject != ClaimSubject::limits) return prose(statement(claim));
+  return rich(fmt::format("{}$C^{{{}}}$", claim.negated ? "not " : "", claim.smoothness));
+}
 
 RichText region_rich(const Scheme& scheme, const Box& region) {
   const std::string latex = region_latex(scheme, region);
@@ -143,9 +161,9 @@ Blocks exact_smoothness(const ReportedScheme& reported) {
   };
   std::vector<Exact> found;
   for (const DecidedClaim& positive : reported.claims) {
-    if (positive.claim.negated || positive.verdict.outcome != Outcome::certified) continue;
+    if (positive.claim.negated || positive.claim.space || positive.claim.subject != ClaimSubject::limits || positive.verdict.outcome != Outcome::certified) continue;
     for (const DecidedClaim& negative : reported.claims) {
-      if (!negative.claim.negated || negative.verdict.outcome != Outcome::certified || negative.claim.smoothness != positive.claim.smoothness + 1) continue;
+      if (!negative.claim.negated || negative.claim.space || negative.claim.type != positive.claim.type || negative.claim.subject != ClaimSubject::limits || negative.verdict.outcome != Outcome::certified || negative.claim.smoothness != positive.claim.smoothness + 1) continue;
       if (const auto box = intersection(positive.claim.region, negative.claim.region)) found.push_back({positive.claim.smoothness, *box});
     }
   }

@@ -14,29 +14,6 @@ RichText parameters_text(const Scheme& scheme) {
   return rich(fmt::format(" The parameter range is ${}$.", region_latex(scheme, scheme.parameter_box())));
 }
 
-/// "q_{2i} = p_i" and the like: one line for each residue of the new points, or the symbol's coefficients when they are many.
-Display refinement_rules(const Mask& mask, const VariableNames& names) {
-  Display display;
-  const int p = mask.arity;
-  for (int residue = 0; residue < p; ++residue) {
-    std::vector<std::pair<int, RationalFunction>> terms;  // offset j: q_{pi+residue} = sum a_{residue - p j} p_{i+j}
-    for (int i = mask.symbol.highest(); i >= mask.symbol.lowest(); --i) {
-      if ((residue - i) % p != 0) continue;
-      if (const RationalFunction c = mask.symbol.coefficient(i); !c.is_zero()) terms.emplace_back((residue - i) / p, c);
-    }
-    std::vector<std::string> sum;
-    for (const auto& [offset, c] : terms) {
-      const std::string point = offset == 0 ? "p_{i}" : fmt::format("p_{{i{:+d}}}", offset);
-      // A term is written as a coefficient times a "power" of the point.
-      sum.push_back(power_sum_terms({{1, c}}, point, names).front());
-    }
-    if (sum.empty()) sum.emplace_back("+0");
-    const std::string left = p == 2 && residue == 0 ? "q_{2i}" : residue == 0 ? fmt::format("q_{{{}i}}", p) : fmt::format("q_{{{}i+{}}}", p, residue);
-    display.lines.push_back(sum_line(left, sum));
-  }
-  return display;
-}
-
 RichText polynomials_text(const Mask& mask, const VariableNames& names) {
   const PolynomialDegrees degrees = polynomial_degrees(mask);
   if (degrees.generation < 0) return rich(fmt::format("Since $a(1)\\ne{}$, not even constants are generated.", mask.arity));
@@ -122,9 +99,36 @@ Blocks nonuniform_definition(const Scheme& scheme) {
 
 }  // namespace
 
+Display refinement_rules(const Mask& mask, const VariableNames& names) {
+  Display display;
+  const int p = mask.arity;
+  for (int residue = 0; residue < p; ++residue) {
+    std::vector<std::pair<int, RationalFunction>> terms;  // offset j: q_{pi+residue} = sum a_{residue - p j} p_{i+j}
+    for (int i = mask.symbol.highest(); i >= mask.symbol.lowest(); --i) {
+      if ((residue - i) % p != 0) continue;
+      if (const RationalFunction c = mask.symbol.coefficient(i); !c.is_zero()) terms.emplace_back((residue - i) / p, c);
+    }
+    std::vector<std::string> sum;
+    for (const auto& [offset, c] : terms) {
+      const std::string point = offset == 0 ? "p_{i}" : fmt::format("p_{{i{:+d}}}", offset);
+      // A term is written as a coefficient times a "power" of the point.
+      sum.push_back(power_sum_terms({{1, c}}, point, names).front());
+    }
+    if (sum.empty()) sum.emplace_back("+0");
+    const std::string left = p == 2 && residue == 0 ? "q_{2i}" : residue == 0 ? fmt::format("q_{{{}i}}", p) : fmt::format("q_{{{}i+{}}}", p, residue);
+    display.lines.push_back(sum_line(left, sum));
+  }
+  return display;
+}
+
 Blocks definition(const Scheme& scheme) {
   if (scheme.insertion_rule) return nonuniform_definition(scheme);
   if (scheme.kind == SchemeKind::uniform) return uniform_definition(scheme, "From points $p_j$ one step makes the points $q_j$ below.", true);
+  if (scheme.sequence) return nonstationary_definition(scheme);
+  if (scheme.surface) {
+    return {paragraph(rich("A scheme for meshes of quadrilaterals: the tensor product of the curve scheme ") + code(scheme.surface->curve) +
+                      rich(" where the mesh is regular, continued through extraordinary vertices by virtual points [@Kobbelt1996], [@BariMustafaGhaffarNisarBaleanu2021]."))};
+  }
   return {paragraph(rich("The scheme is defined by its file, ") + code(scheme.file.filename().string()) + rich(".") + parameters_text(scheme))};
 }
 

@@ -1,5 +1,7 @@
 #include "reports/proof/formulas.hpp"
 
+#include "algebra/number/read_rational.hpp"
+
 #include <fmt/format.h>
 
 namespace limes {
@@ -28,7 +30,14 @@ std::string power_latex(const std::string& variable, int exponent) {
 
 }  // namespace
 
-std::string inline_latex(const Rational& x) { return to_string(x); }
+std::string inline_latex(const Rational& x) {
+  const std::string exact = to_string(x);
+  const std::size_t slash = exact.find('/');
+  // A long decimal, such as an angle near pi, is written as one.
+  if (slash == std::string::npos || exact.size() <= 24) return exact;
+  const std::string decimal = to_decimal(x, 17, Rounding::nearest);
+  return read_rational(decimal) == x ? decimal : exact;
+}
 std::string display_latex(const Rational& x) { return to_latex(as_function(x), {}); }
 
 std::string parameter_latex(const std::string& name) { return to_latex(RationalFunction::variable(1, 0), {name}); }

@@ -177,13 +177,16 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportSt
   else blocks.push_back(paragraph("Its characteristic polynomial is the one displayed above."));
   DataTable table{.caption = {}, .columns = "llrl", .header = {rich("factor"), rich("multiplicity"), rich("boxes"), rich("test of dominance")}, .rows = {}};
   const auto add = [&](const DominatedFactor& factor, RichText name) {
-    table.rows.push_back({std::move(name), mathematics(std::to_string(factor.multiplicity)), mathematics(std::to_string(factor.leaves.size())),
-                          {{Span::Kind::plain, tests_text(factor.leaves)}}});
+    std::vector<DominanceLeaf> leaves = factor.leaves;
+    leaves.insert(leaves.end(), factor.mirrored_leaves.begin(), factor.mirrored_leaves.end());
+    table.rows.push_back({std::move(name), mathematics(std::to_string(factor.multiplicity)), mathematics(std::to_string(leaves.size())),
+                          {{Span::Kind::plain, tests_text(leaves)}}});
   };
   for (const DominatedFactor& factor : ell) add(factor, mathematics(joined_sum(lambda_terms(factor.polynomial, names))));
   for (std::size_t k = 0; k < rest.size(); ++k) add(rest[k], mathematics(fmt::format("r_{}", k + 1)));
-  blocks.push_back(paragraph(fmt::format("All roots of every factor are less than $2^{{-{}}}$ in modulus for all $\\gamma\\in(0,1]${}, which covers $\\gamma>1$ by symmetry:", m,
-                                         scheme.parameters.empty() ? "" : " and all parameters of the region")));
+  blocks.push_back(paragraph(fmt::format("All roots of every factor are less than $2^{{-{}}}$ in modulus for all $\\gamma\\in(0,1]${}, {}:", m,
+                                         scheme.parameters.empty() ? "" : " and all parameters of the region",
+                                         proof.both_sides ? "and likewise for $1/\\gamma$ in place of $\\gamma$" : "which covers $\\gamma>1$ by symmetry")));
   blocks.push_back(std::move(table));
   blocks.push_back(paragraph("No denominator vanishes for positive ratios: the rule divides by sums of intervals only. The assertion follows by "
                              "[Theorem N1](#theorem-N1)."));

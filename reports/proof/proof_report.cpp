@@ -66,7 +66,7 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   state.shown.clear();
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
-  if (options.figures) append(blocks, scheme_figures(reported, options.polygons, stop));
+  if (options.figures && (scheme.kind == SchemeKind::uniform || scheme.insertion_rule)) append(blocks, scheme_figures(reported, options.polygons, stop));
   for (const DecidedClaim& decided : reported.claims) {
     stop.check();
     append(blocks, decided_claim(scheme, decided, state, stop));

@@ -302,7 +302,7 @@ std::vector<Rational> shown_point(const ReportedScheme& reported) {
   int smoothness = -1;
   for (const DecidedClaim& decided : reported.claims) {
     const Claim& claim = decided.claim;
-    if (claim.negated || decided.verdict.outcome != Outcome::certified) continue;
+    if (claim.negated || claim.space || claim.subject != ClaimSubject::limits || decided.verdict.outcome != Outcome::certified) continue;
     // Of equal smoothness a region rather than a point, and the larger one.
     const bool wider = best && claim.smoothness == smoothness && !claim.region.empty() && claim.region.front().width() > best->front().width();
     if (claim.smoothness > smoothness || wider) best = &claim.region, smoothness = claim.smoothness;
@@ -314,7 +314,7 @@ std::vector<Rational> shown_point(const ReportedScheme& reported) {
 int certified_smoothness(const ReportedScheme& reported, std::span<const Rational> point) {
   int smoothness = -1;
   for (const DecidedClaim& decided : reported.claims) {
-    if (decided.claim.negated || decided.verdict.outcome != Outcome::certified || !contains(decided.claim.region, point)) continue;
+    if (decided.claim.negated || decided.claim.space || decided.claim.subject != ClaimSubject::limits || decided.verdict.outcome != Outcome::certified || !contains(decided.claim.region, point)) continue;
     smoothness = std::max(smoothness, decided.claim.smoothness);
   }
   return smoothness;

@@ -29,6 +29,12 @@ RichText region_rich(const Scheme& scheme, const Box& region);
 /// Mask or rule, symbol, factorisation, polynomials, stability.
 Blocks definition(const Scheme& scheme);
 
+Blocks nonstationary_definition(const Scheme& scheme);
+/// One line for each residue of the new points.
+Display refinement_rules(const Mask& mask, const VariableNames& names);
+/// "\{1,\,y,\,\cos \theta y\}"
+std::string functions_latex(const std::vector<ExponentialFunction>& functions);
+
 /// The claim as a proposition and its proof (or why there is none).
 Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportState& state, const Stop& stop);
 
@@ -36,6 +42,9 @@ Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportSt
 Blocks uniform_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop);
 Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop);
 Blocks ratio_proof(const Scheme& scheme, const Certificate& certificate, const Stop& stop);
+/// By S1 and S2.
+Blocks asymptotic_proof(const Scheme& scheme, const Certificate& certificate);
+Blocks space_proof(const Scheme& scheme, const Certificate& certificate);
 /// Table of regions and levels; the mask is the scheme's one for equal intervals.
 Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, ReportState& state, const Stop& stop);
 

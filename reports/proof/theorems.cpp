@@ -32,10 +32,11 @@ Blocks conventions(bool knots) {
 
 Blocks theorem_statements(const std::set<Theorem>& theorems) {
   Blocks blocks = conventions(theorems.contains(Theorem::n1) || theorems.contains(Theorem::n3));
-  if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1)) {
+  if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1)) {
     blocks.push_back(theorem("U1", " [@Dyn1992], [@DynLevin2002]",
                              {paragraph("If $a(1)=p$, $a(z)=\\sigma(z)^{m+1}p^{-m}\\,b(z)$ with a Laurent polynomial $b$, and $\\lVert S_b^l\\rVert_\\infty<1$ for some $l\\ge1$, then the "
-                                        "scheme is $C^m$.")}));
+                                        "scheme is $C^m$. Instead of a small $\\lVert S_b^l\\rVert_\\infty$ any norm will do in which all finite sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, "
+                                        "are contractions, such as one with a polytope as its unit ball.")}));
   }
   if (theorems.contains(Theorem::u2)) {
     blocks.push_back(theorem("U2", " [@CavarettaDahmenMicchelli1991], [@DynLevin2002]",
@@ -57,6 +58,30 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
     blocks.push_back(theorem("N3", "",
                              {paragraph("If for one $\\gamma>0$ the matrix $L(\\gamma)$ has, besides one simple eigenvalue $2^{-k}$ for each $k=0,\\dots,m$, an eigenvalue of modulus at least $2^{-m}$, then the scheme "
                                         "is not $C^m$: its limit on the eigenvector's data contradicts a Taylor polynomial up to $o(t^m)$.")}));
+  }
+  if (theorems.contains(Theorem::s1)) {
+    blocks.push_back(theorem("S1", " [@DynLevin1995]",
+                             {paragraph("Let the masks $a^{(k)}$ of a nonstationary scheme have bounded supports and, for some $j\\le m$, the factor $\\sigma^j$; let $a$ be a mask with the same factor whose scheme is $C^m$ by "
+                                        "Theorem U1, $c^{(k)}=p^ja^{(k)}/\\sigma^j$ and $c=p^ja/\\sigma^j$. If $\\sum_kp^{(m-j)k}\\lVert S_{c^{(k)}}-S_c\\rVert_\\infty<\\infty$, then the nonstationary scheme is $C^m$.")}));
+  }
+  if (theorems.contains(Theorem::s2)) {
+    blocks.push_back(theorem("S2", " [@DynLevin1995]",
+                             {paragraph("Let $\\tau=a'(1)/p$ for the limit mask, $s=\\tau/(p-1)$. A step with mask $a$ and edges of angle $\\theta h$ maps samples of $y^j\\mathrm{e}^{\\mathrm{i}n\\theta y}$ at $(l+s)ph$ to "
+                                        "samples at $(i+s)h$ exactly if in every residue class of $i$ the moments $\\sum_{k\\equiv i}a_k(\\tau-k)^r\\mathrm{e}^{\\mathrm{i}n\\theta h(\\tau-k)}$, $r=0,\\dots,j$, are $1,0,\\dots,0$; it maps them into the "
+                                        "space of $y^r\\mathrm{e}^{\\mathrm{i}n\\theta y}$, $r\\le j$, if the moments do not depend on the class.")}));
+  }
+  if (theorems.contains(Theorem::p0)) {
+    blocks.push_back(theorem("P0", "", {paragraph("Let the even or the odd coefficients of a binary mask not sum to $1$. Then $0$ is the only continuous limit. If moreover a product of the sections $(A_e)_{ij}=a_{e+2j-i}$ of the mask has "
+                                                  "a real eigenvalue of at least $1$, the scheme is not $C^0$.")}));
+  }
+  if (theorems.contains(Theorem::p1) || theorems.contains(Theorem::p2)) {
+    blocks.push_back(theorem("P1", "", {paragraph("Let $K$ be the cone over a box $0<l\\le z\\le u$ and $L\\ge1$ such that $K$ contains the vector of ones, every product of at most $L$ sections of the mask maps $K\\setminus0$ to positive vectors and every "
+                                                  "product of $L$ of them into the interior of $K$, and for every such product any two rows of the matrices that map the points of windows have, by bounds over $K$, "
+                                                  "a positive sum of entrywise minima. Then the projective scheme, which refines weights and weighted points and divides, converges.")}));
+  }
+  if (theorems.contains(Theorem::p2)) {
+    blocks.push_back(theorem("P2", "", {paragraph("Let in addition $A_Wv_1=\\lambda_1v_1$ and $A_Wv_2=\\lambda_2v_2$ for a word $W$ of $k$ letters, with $v_1$ in the interior of $K$ and real $\\lambda_2$, $2^{-k}\\lambda_1<|\\lambda_2|<\\lambda_1$, and let the "
+                                                  "limit of the points $A_Uv_2/A_Uv_1$ with weights $A_Uv_1$ not vanish for a word $U$ whose length is a multiple of $L$. Then the projective scheme is not $C^1$.")}));
   }
   return blocks;
 }

@@ -80,7 +80,7 @@ RichText level_list(const std::vector<ProofLeaf>& leaves) {
   }
   std::vector<std::string> parts;
   for (const auto& [level, count] : counts) parts.push_back(fmt::format("$l={}$ on {}", level, count));
-  if (other > 0) parts.push_back(fmt::format("a norm of the certificate's own on {}", other));
+  if (other > 0) parts.push_back(fmt::format("a polytope norm on {}", other));
   return rich(fmt::format("{}", fmt::join(parts, ", ")));
 }
 
@@ -175,12 +175,20 @@ Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leav
     }
     return blocks;
   }
+  if (leaves.size() == 1) {
+    const auto* polytope = std::get_if<PolytopeWitness>(&leaves.front().witness);
+    std::size_t vectors = 0;
+    for (const Polytope& block : polytope ? polytope->norm.blocks : std::vector<Polytope>{}) vectors += block.vectors.size();
+    blocks.push_back(paragraph(fmt::format("A norm whose unit ball is a polytope with ${}$ vectors up to symmetry contracts all finite sections{}: the bound is ${}<1$.", vectors,
+                                           is_point(whole) ? "" : " on the whole region", polytope ? to_decimal(polytope->norm.bound, 8, Rounding::up) : "1")));
+    return blocks;
+  }
   blocks.push_back(paragraph(rich(fmt::format("The norm is below $1$ on each of ${}$ boxes that cover the region: ", leaves.size())) + level_list(leaves) + rich(".")));
   if (leaves.size() <= most_rows) {
     DataTable table{.caption = {}, .columns = "lr", .header = {rich("region"), rich("level $l$")}, .rows = {}};
     for (const ProofLeaf& leaf : leaves) {
       const auto* witness = std::get_if<ContractionWitness>(&leaf.witness);
-      table.rows.push_back({region_rich(scheme, leaf.region), witness ? mathematics(std::to_string(witness->level)) : rich("own norm")});
+      table.rows.push_back({region_rich(scheme, leaf.region), witness ? mathematics(std::to_string(witness->level)) : rich("polytope")});
     }
     blocks.push_back(std::move(table));
   }

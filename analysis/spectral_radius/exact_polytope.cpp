@@ -110,17 +110,22 @@ std::vector<double> balancing_factors(const std::vector<std::vector<double>>& q)
 
 class ExactSearch {
  public:
-  ExactSearch(const MatrixFamily& family, const PolytopeLimits& limits, const Stop& stop)
-      : family_(family), limits_(limits), stop_(stop), n_(family_size(family)), oracle_(n_, false) {
+  /// \param units whether small multiples of the unit vectors are starts too, so that the vectors span the space
+  ExactSearch(const MatrixFamily& family, bool units, const PolytopeLimits& limits, const Stop& stop)
+      : family_(family), units_(units), limits_(limits), stop_(stop), n_(family_size(family)), oracle_(n_, false) {
     for (const RationalMatrix& b : family) approx_family_.push_back(approx_matrix(b));
     images_.resize(family.size());
   }
 
-  std::optional<ExactPolytope> run() {
-    if (!find_starts() || !close()) return std::nullopt;
+  enum class Outcome { proved, not_closed, not_spanning };
+
+  Outcome run() {
+    if (!find_starts() || !close()) return Outcome::not_closed;
     const std::optional<double> reach = unit_reach();
-    return reach ? finish(*reach) : std::nullopt;
+    if (!reach) return Outcome::not_spanning;
+    return finish(*reach) ? Outcome::proved : Outcome::not_closed;
   }
+  ExactPolytope take_result() { return std::move(result_); }
 
  private:
   struct Start {
@@ -161,6 +166,12 @@ class ExactSearch {
       result_.starts.push_back(starts[i].vector);
       if (result_.word.empty()) result_.word = starts[i].word, result_.sign = starts[i].sign;
       add_vector(starts[i].vector);
+    }
+    for (int k = 0; units_ && k < n_; ++k) {
+      AlgebraicVector unit(result_.starts.front().size());
+      unit[std::size_t(k)] = Polynomial::constant(Rational(1, 64));
+      result_.starts.push_back(unit);
+      add_vector(std::move(unit));
     }
     return !result_.starts.empty();
   }
@@ -296,7 +307,7 @@ class ExactSearch {
     return greatest == 0 ? 1 : std::min(1.0, 0.5 / greatest);
   }
 
-  std::optional<ExactPolytope> finish(double reach) {
+  bool finish(double reach) {
     result_.radius = field_->alpha();
     result_.unit = Rational(std::exp2(std::floor(std::log2(reach))));
     result_.images.resize(family_.size());
@@ -316,14 +327,14 @@ class ExactSearch {
         if (const auto* same = std::get_if<ExactPolytope::SignedVector>(&images_[e][i]))
           result_.images[e].push_back(*same);
         else if (!append(enclosures_[i], errors_[i], std::get<ApproxCombination>(images_[e][i])))
-          return std::nullopt;
+          return false;
       }
       for (int k = 0; k < n_; ++k) {
         const ApproxCombination approx = oracle_.combine(approx_family_[e].col(k) * approx_double(result_.unit), infinity);
-        if (!append(unit_vector(n_, k, result_.unit), 0, approx)) return std::nullopt;
+        if (!append(unit_vector(n_, k, result_.unit), 0, approx)) return false;
       }
     }
-    return std::move(result_);
+    return true;
   }
 
   /// sum |c_j| + ||r||_1 / unit <= alpha for every vector within `error` of the image, in each coordinate.
@@ -350,6 +361,7 @@ class ExactSearch {
   };
 
   const MatrixFamily& family_;
+  const bool units_;
   const PolytopeLimits& limits_;
   const Stop& stop_;
   int n_;
@@ -367,7 +379,13 @@ class ExactSearch {
 }  // namespace
 
 std::optional<ExactPolytope> find_exact_polytope(const MatrixFamily& family, const PolytopeLimits& limits, const Stop& stop) {
-  return ExactSearch(family, limits, stop).run();
+  for (const bool units : {false, true}) {
+    ExactSearch search(family, units, limits, stop);
+    const ExactSearch::Outcome outcome = search.run();
+    if (outcome == ExactSearch::Outcome::proved) return search.take_result();
+    if (outcome == ExactSearch::Outcome::not_closed) break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace limes

@@ -65,7 +65,7 @@ class RadiusSearch {
     if (result_.lower == 0) return bound_from_above(Rational(0));
     // Something to fall back on, before the long work.
     for (std::size_t k = 0; k < blocks_.size(); ++k) improve(k, result_.lower * Rational(3, 2));
-    std::optional<ExactPolytope> exact = find_exact_polytope(blocks_[leading_], {400, 64}, stop_);
+    std::optional<ExactPolytope> exact = find_exact_polytope(blocks_[leading_], exact_limits(), stop_);
     if (exact && exact->radius.upper >= result_.lower) return finish_exactly(std::move(*exact));
     bound_from_above(result_.lower);
     if (result_.blocks.size() > 0 && !narrow()) {
@@ -81,6 +81,9 @@ class RadiusSearch {
       if (!narrow()) bound_from_above(result_.lower);
     }
   }
+
+  /// Exact polytopes close with few vectors or not at all.
+  PolytopeLimits exact_limits() const { return {std::min(options_.polytopes.max_vectors, std::size_t{400}), options_.polytopes.precision}; }
 
   bool narrow() const {
     for (const BlockProof& proof : result_.blocks) {
@@ -143,7 +146,7 @@ class RadiusSearch {
     for (std::size_t k = 0; k < blocks_.size(); ++k) {
       if (k == leading_ || improve(k, alpha.lower)) continue;
       // A block with the same radius.
-      std::optional<ExactPolytope> other = find_exact_polytope(blocks_[k], {400, 64}, stop_);
+      std::optional<ExactPolytope> other = find_exact_polytope(blocks_[k], exact_limits(), stop_);
       if (other && other->radius.upper <= alpha.upper) result_.blocks[k] = std::move(*other);
       else improve_towards(k, alpha.upper);
     }

@@ -45,8 +45,9 @@ void print(const HolderReport& report, int digits, bool quiet) {
     std::cout << fmt::format("Hoelder exponent in [{}, {}]\n", lower, upper);
   }
   if (exponent.order > 0)
-    std::cout << fmt::format("= {} - log_{}(joint spectral radius of the differences of order {}), radius {}\n", exponent.order - 1,
-                             report.arity, exponent.order, radius_text(exponent, digits));
+    std::cout << fmt::format("{} {} - log_{}(r), r the joint spectral radius of the differences of order {}: {}\n",
+                             exponent.radius.exact && exponent.stability ? "exactly" : "from", exponent.order - 1, report.arity,
+                             exponent.order, radius_text(exponent, digits));
   if (exponent.order > 0 && !exponent.stability)
     std::cout << "no upper bound: the integer shifts of the limit function are not proved stable\n";
   if (exponent.sobolev.lower)

@@ -97,18 +97,23 @@ struct ExponentClaim {
   Region region;
   mpq_class lower;
   std::optional<mpq_class> upper;
+  std::vector<mpq_class> polynomial;  ///< the exponent is (k-1) - log_p of its root between the bounds of the radius
 };
 
 ExponentClaim read_claim(const Json& json, const Scheme& scheme, Budget& budget) {
   const bool bounded = json.is_object() && json.contains("upper");
   std::vector<std::string> keys{"statement", "region", "lower"};
   if (bounded) keys.emplace_back("upper");
+  const bool exact = bounded && json.contains("polynomial");
+  if (exact) keys.emplace_back("polynomial");
   const Reader claim(json, "claim", "the claim", keys);
   claim.is_first("statement", "Hoelder exponent", "Hoelder exponent");
-  ExponentClaim result{claim.region(scheme.parameters, budget), read_number(claim.at("lower"), "claim", "lower", budget), {}};
+  ExponentClaim result{claim.region(scheme.parameters, budget), read_number(claim.at("lower"), "claim", "lower", budget), {}, {}};
   for (const Interval& interval : result.region)
     if (!interval.is_point()) claim.fail("needs a region that is one point");
   if (bounded) result.upper = read_number(claim.at("upper"), "claim", "upper", budget);
+  if (exact)
+    for (const Json& c : claim.list("polynomial", 2, 65)) result.polynomial.push_back(read_number(c, "claim", "the polynomial", budget));
   return result;
 }
 
@@ -126,7 +131,7 @@ std::string check_hoelder_exponent(const Json& json, Budget& budget) {
   const int k = proof.integer(proof.at("order"), "the order", 1, 64);
   const RadiusBounds radius{read_number(proof.at("radius_lower"), "proof", "radius_lower", budget),
                             read_number(proof.at("radius_upper"), "proof", "radius_upper", budget),
-                            {}};
+                            claim.polynomial};
   if (radius.upper <= 0 || (claim.upper && radius.lower <= 0)) proof.fail("needs positive bounds of the radius");
 
   const LocalScheme local = restrict_to_leaf(scheme, k - 1, claim.region, budget);
@@ -156,7 +161,9 @@ std::string check_hoelder_exponent(const Json& json, Budget& budget) {
   for (std::size_t v = 0; v < claim.region.size(); ++v)
     where += (v == 0 ? " for " : ", ") + scheme.parameters[v] + " = " + claim.region[v].text.substr(0, 80);
   return "certified: the Hoelder exponent of " + checker::quoted(scheme.name) + where + " is at least " + claim.lower.get_str() +
-         (claim.upper ? " and at most " + claim.upper->get_str() : "") + " (theorem U3)";
+         (claim.upper ? " and at most " + claim.upper->get_str() : "") +
+         (claim.polynomial.empty() ? "" : ", exactly " + std::to_string(k - 1) + " - log_" + std::to_string(scheme.arity) + " of a root of the polynomial") +
+         " (theorem U3)";
 }
 
 }  // namespace limes::checker

@@ -94,6 +94,7 @@ std::string prove_hoelder_exponent(const Scheme& scheme, std::span<const Rationa
              {"radius", radius_proof_to_json(exponent.radius)}};
   if (exponent.bounds.upper) {
     claim["upper"] = to_string(*exponent.bounds.upper);
+    if (exponent.radius.exact) claim["polynomial"] = numbers_to_json(exponent.radius.exact->polynomial.coefficients());
     proof["stability"] = *exponent.stability == Stability::interpolatory ? "interpolatory" : "linear-independence";
   }
   return checked({{"format", "limes-certificate"},

@@ -20,7 +20,8 @@ constexpr int levels = 3;
 Grid picture() {
   Grid grid{size, size, 1, {}};
   for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < size; ++k) grid.values.push_back(static_cast<double>((i * 73 + k * 151 + i * k / 97 % 1013 * 17) % 256));
+    for (std::size_t k = 0; k < size; ++k)
+      grid.values.push_back(static_cast<double>((i * 73 + k * 151 + i * k / 97 % 1013 * 17) % 256));
   }
   return grid;
 }
@@ -29,7 +30,9 @@ FilterBank filters(const std::string& name) {
   if (name == "cdf-9-7") return read_filter_file(LIMES_SOURCE_DIR "/examples/multiresolution/cdf-9-7.json");
   MultiresolutionOptions options;
   options.extension = 32;
-  return find_multiresolution({Rational(-1) / 16, 0, Rational(9) / 16, 1, Rational(9) / 16, 0, Rational(-1) / 16}, options).bank;
+  return find_multiresolution({Rational(-1) / 16, 0, Rational(9) / 16, 1, Rational(9) / 16, 0, Rational(-1) / 16},
+                              options)
+      .bank;
 }
 
 double squares(const Grid& grid) {
@@ -39,11 +42,13 @@ double squares(const Grid& grid) {
 }
 
 void pyramid(benchmark::State& state, const std::string& name, Boundary boundary, bool back) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(state.range(0)));
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(state.range(0)));
   const PyramidTransform transform(filters(name), boundary);
   const Grid data = picture();
   const Pyramid whole = transform.decompose(data, levels);
-  if (difference(transform.reconstruct(whole, levels).grid, data, 255).maximum > 1e-9) return state.SkipWithError("a wrong result");
+  if (difference(transform.reconstruct(whole, levels).grid, data, 255).maximum > 1e-9)
+    return state.SkipWithError("a wrong result");
   for (auto _ : state) {
     state.PauseTiming();
     Grid input = back ? Grid{} : data;
@@ -63,7 +68,11 @@ void add(const std::string& name, Boundary boundary, const std::string& ends) {
   for (const bool back : {false, true}) {
     benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", back ? "reconstruct" : "decompose", name, ends).c_str(),
                                  [=](benchmark::State& state) { pyramid(state, name, boundary, back); })
-        ->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+        ->Arg(1)
+        ->Arg(2)
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
   }
 }
 

@@ -49,13 +49,15 @@ PlacedBank::PlacedBank(const FilterBank& bank) {
   for (const auto& [filter, output] : {std::pair{&a, 0}, std::pair{&b, 1}}) {
     for (std::size_t m = 0; m < filter->taps.size(); ++m) {
       const int x = filter->start + static_cast<int>(m);
-      if (filter->taps[m] != 0) analysis.outputs[std::size_t(output)].push_back({x & 1, floor_half(x), filter->taps[m]});
+      if (filter->taps[m] != 0)
+        analysis.outputs[std::size_t(output)].push_back({x & 1, floor_half(x), filter->taps[m]});
     }
   }
   for (const auto& [filter, source] : {std::pair{&p, 0}, std::pair{&q, 1}}) {
     for (std::size_t m = 0; m < filter->taps.size(); ++m) {
       const int x = filter->start + static_cast<int>(m);
-      if (filter->taps[m] != 0) synthesis.outputs[std::size_t(x & 1)].push_back({source, -floor_half(x), filter->taps[m]});
+      if (filter->taps[m] != 0)
+        synthesis.outputs[std::size_t(x & 1)].push_back({source, -floor_half(x), filter->taps[m]});
     }
   }
   finish(analysis);
@@ -146,7 +148,8 @@ std::vector<EndSystem> end_systems(const PlacedBank& bank, std::size_t size, Bou
   if (left + right + 2 * reach >= n) {
     std::vector<std::size_t> all = points(0, std::min(left, n));
     for (long x = std::max({left, n - right, 0L}); x < n; ++x) all.push_back(static_cast<std::size_t>(x));
-    return all.empty() ? std::vector<EndSystem>{} : std::vector<EndSystem>{end_system(bank, size, boundary, std::move(all))};
+    return all.empty() ? std::vector<EndSystem>{}
+                       : std::vector<EndSystem>{end_system(bank, size, boundary, std::move(all))};
   }
   std::vector<EndSystem> result;
   if (left > 0) result.push_back(end_system(bank, size, boundary, points(0, left)));

@@ -7,6 +7,19 @@
 
 namespace limes::pyramid_impl {
 
+/// A rectangle of numbers in a larger grid.
+struct Area {
+  double* data = nullptr;
+  std::size_t rows = 0, columns = 0, stride = 0;
+  double* row(std::size_t i) const { return data + i * stride; }
+};
+
+/// The rectangle of a channel in which level `level` (from 1) works.
+inline Area area(Grid& grid, std::size_t channel, int level) {
+  return {grid.values.data() + channel * grid.rows * grid.columns, grid.rows == 1 ? 1 : grid.rows >> (level - 1),
+          grid.columns == 1 ? 1 : grid.columns >> (level - 1), grid.columns};
+}
+
 /// weight times entry (output index + offset) of source 0 or 1.
 struct Tap {
   int source = 0, offset = 0;

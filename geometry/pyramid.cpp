@@ -13,7 +13,10 @@
 
 namespace limes {
 
+using pyramid_impl::area;
+using pyramid_impl::Area;
 using pyramid_impl::continued;
+using pyramid_impl::end_systems;
 using pyramid_impl::EndSystem;
 using pyramid_impl::PlacedBank;
 using pyramid_impl::Polyphase;
@@ -48,7 +51,8 @@ class RowBuffer {
         const auto& taps = phases_.outputs[output];
         for (std::size_t t = 0; t < taps.size(); ++t)
           sources_[output][t] = source(taps[t].source) + static_cast<long>(first) + taps[t].offset;
-        combine((output == 0 ? output0 : output1) + first, sources_[output].data(), weights_[output].data(), taps.size(), n);
+        combine((output == 0 ? output0 : output1) + first, sources_[output].data(), weights_[output].data(),
+                taps.size(), n);
       }
     }
   }
@@ -59,13 +63,6 @@ class RowBuffer {
   std::array<std::vector<double>, 2> padded_;
   std::array<std::vector<double>, 2> weights_;
   std::array<std::vector<const double*>, 2> sources_;
-};
-
-/// A rectangle of numbers in a larger grid.
-struct Area {
-  double* data = nullptr;
-  std::size_t rows = 0, columns = 0, stride = 0;
-  double* row(std::size_t i) const { return data + i * stride; }
 };
 
 class Level {
@@ -146,7 +143,8 @@ class Level {
       for (const Tap& tap : bank_.synthesis.outputs[i % 2]) {
         const long at = static_cast<long>(i / 2) + tap.offset;
         if (boundary_ != Boundary::periodic && (at < 0 || at >= n)) continue;
-        lines[i].second.add(tap.weight, from.row(continued(at, half, Boundary::periodic) + (tap.source == 0 ? 0 : half)));
+        lines[i].second.add(tap.weight,
+                            from.row(continued(at, half, Boundary::periodic) + (tap.source == 0 ? 0 : half)));
       }
     }
     // Ends last: they need the others.
@@ -201,9 +199,8 @@ class Level {
 
   template <class Task>
   static void for_row_tasks(std::size_t rows, const Task& task) {
-    tbb::parallel_for(std::size_t{0}, (rows + rows_per_task - 1) / rows_per_task, [&](std::size_t k) {
-      task(k * rows_per_task, std::min(rows, (k + 1) * rows_per_task));
-    });
+    tbb::parallel_for(std::size_t{0}, (rows + rows_per_task - 1) / rows_per_task,
+                      [&](std::size_t k) { task(k * rows_per_task, std::min(rows, (k + 1) * rows_per_task)); });
   }
   template <class Task>
   static void for_strips(std::size_t columns, const Task& task) {
@@ -215,32 +212,11 @@ class Level {
   Boundary boundary_;
 };
 
-/// The rectangle of a channel in which level `level` (from 1) works.
-Area area(Grid& grid, std::size_t channel, int level) {
-  return {grid.values.data() + channel * grid.rows * grid.columns, grid.rows == 1 ? 1 : grid.rows >> (level - 1),
-          grid.columns == 1 ? 1 : grid.columns >> (level - 1), grid.columns};
-}
-
 void check_length(std::size_t length, const char* what, int levels) {
   if (length == 0) throw InputError(fmt::format("no {}: there is nothing to decompose", what));
   if (length == 1 || length % (std::size_t{1} << levels) == 0) return;
   throw InputError(fmt::format("{} {}: {} level{} need a multiple of {}", length, what, levels, levels == 1 ? "" : "s",
                                std::size_t{1} << levels));
-}
-
-/// Calls action(detail, level, whether it is one along the row, along the column), from the coarsest level on.
-template <class Action>
-void for_details(Pyramid& pyramid, int coarsest, int finest, const Action& action) {
-  Grid& grid = pyramid.grid;
-  for (std::size_t channel = 0; channel < grid.channels; ++channel) {
-    for (int level = coarsest; level >= finest; --level) {
-      const Area whole = area(grid, channel, level), inner = area(grid, channel, level + 1);
-      for (std::size_t i = 0; i < whole.rows; ++i) {
-        for (std::size_t k = i < inner.rows ? inner.columns : 0; k < whole.columns; ++k)
-          action(whole.row(i)[k], level, k >= inner.columns, i >= inner.rows);
-      }
-    }
-  }
 }
 
 double norm(const std::vector<double>& x) {
@@ -338,30 +314,6 @@ void PyramidTransform::check_invertible(const Pyramid& pyramid) const {
   }
 }
 
-Grid coarse_grid(const Pyramid& pyramid) {
-  Grid coarse{pyramid.coarse_rows(), pyramid.coarse_columns(), pyramid.grid.channels, {}};
-  for (std::size_t channel = 0; channel < coarse.channels; ++channel) {
-    for (std::size_t i = 0; i < coarse.rows; ++i) {
-      for (std::size_t k = 0; k < coarse.columns; ++k) coarse.values.push_back(pyramid.grid.at(channel, i, k));
-    }
-  }
-  return coarse;
-}
-
-void replace_coarse_grid(Pyramid& pyramid, const Grid& coarse) {
-  if (coarse.rows != pyramid.coarse_rows() || coarse.columns != pyramid.coarse_columns() ||
-      coarse.channels != pyramid.grid.channels) {
-    throw InputError(fmt::format("coarse data of {} x {} with {} channels, but the pyramid has {} x {} with {}", coarse.rows,
-                                 coarse.columns, coarse.channels, pyramid.coarse_rows(), pyramid.coarse_columns(),
-                                 pyramid.grid.channels));
-  }
-  for (std::size_t channel = 0; channel < coarse.channels; ++channel) {
-    for (std::size_t i = 0; i < coarse.rows; ++i) {
-      for (std::size_t k = 0; k < coarse.columns; ++k) pyramid.grid.at(channel, i, k) = coarse.at(channel, i, k);
-    }
-  }
-}
-
 std::vector<DetailNorms> PyramidTransform::detail_norms(const Pyramid& pyramid) const {
   std::vector<DetailNorms> result;
   std::vector<double> coarse{1}, detail;
@@ -377,70 +329,6 @@ std::vector<DetailNorms> PyramidTransform::detail_norms(const Pyramid& pyramid) 
     const bool rows = pyramid.grid.rows > 1, columns = pyramid.grid.columns > 1;
     result.push_back({rows ? q * p : q, columns ? p * q : q, q * q});
   }
-  return result;
-}
-
-DetailCount drop_details(Pyramid& pyramid, int levels) {
-  DetailCount count;
-  const int dropped = std::min(levels, pyramid.levels);
-  for_details(pyramid, pyramid.levels, dropped + 1, [&](double, int, bool, bool) { ++count.kept, ++count.total; });
-  for_details(pyramid, dropped, 1, [&](double& x, int, bool, bool) { x = 0, ++count.total; });
-  return count;
-}
-
-namespace {
-
-/// Keeps the details whose modulus, multiplied by a weight, is at least the threshold.
-template <class Weight>
-DetailCount keep_above(Pyramid& pyramid, double threshold, const Weight& weight) {
-  DetailCount count;
-  for_details(pyramid, pyramid.levels, 1, [&](double& x, int level, bool along_row, bool along_column) {
-    ++count.total;
-    if (std::abs(x) * weight(level, along_row, along_column) < threshold)
-      x = 0;
-    else
-      ++count.kept;
-  });
-  return count;
-}
-
-}  // namespace
-
-DetailCount threshold_details(Pyramid& pyramid, double threshold) {
-  return keep_above(pyramid, threshold, [](int, bool, bool) { return 1.0; });
-}
-
-DetailCount keep_details(Pyramid& pyramid, double fraction, const std::vector<DetailNorms>& norms) {
-  const auto weight = [&](int level, bool along_row, bool along_column) {
-    const DetailNorms& n = norms[std::size_t(level - 1)];
-    return along_row && along_column ? n.both : along_row ? n.along_row : n.along_column;
-  };
-  std::vector<double> products;
-  for_details(pyramid, pyramid.levels, 1, [&](double x, int level, bool along_row, bool along_column) {
-    products.push_back(std::abs(x) * weight(level, along_row, along_column));
-  });
-  const auto kept = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(products.size())));
-  if (kept >= products.size()) return {products.size(), products.size()};
-  if (kept == 0) return drop_details(pyramid, pyramid.levels);
-  const auto place = products.begin() + static_cast<long>(kept) - 1;
-  std::nth_element(products.begin(), place, products.end(), std::greater<>());
-  return keep_above(pyramid, *place, weight);
-}
-
-Difference difference(const Grid& a, const Grid& b, double peak) {
-  if (a.rows != b.rows || a.columns != b.columns || a.channels != b.channels) {
-    throw InputError(fmt::format("data of {} x {} with {} channels cannot be compared with {} x {} with {}", a.rows, a.columns,
-                                 a.channels, b.rows, b.columns, b.channels));
-  }
-  Difference result;
-  double sum = 0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    const double d = a.values[i] - b.values[i];
-    sum += d * d;
-    result.maximum = std::max(result.maximum, std::abs(d));
-  }
-  const double mean = sum / static_cast<double>(a.values.size());
-  result.psnr = mean == 0 ? std::numeric_limits<double>::infinity() : 10 * std::log10(peak * peak / mean);
   return result;
 }
 

@@ -54,15 +54,8 @@ Attempt from_mask(MaskProofAttempt mask) {
 /// Theorems P0, P1 and P2 speak of one mask and nothing else.
 bool is_plain_mask(const Scheme& scheme) { return scheme.kind == SchemeKind::uniform && scheme.parameters.empty(); }
 
-Attempt plain_masks_only() {
-  Attempt none;
-  none.reason = "such claims are decided for uniform schemes without parameters only";
-  return none;
-}
-
-/// The projective scheme is C^m (only C^0 can be proved) or, negated, not C^m.
+/// The projective scheme of a plain mask is C^m (only C^0 can be proved) or, negated, not C^m.
 Attempt attempt_projective(const Scheme& scheme, int m, bool negated, const Stop& stop) {
-  if (!is_plain_mask(scheme)) return plain_masks_only();
   if (!negated && m == 0) return from_mask(prove_projective_convergence(scheme.mask, stop));
   if (negated && m > 0) return from_mask(prove_projective_roughness(scheme.mask, stop));
   Attempt none;
@@ -148,8 +141,12 @@ std::string describe_proof(const Certificate& certificate) {
   }
   if (const auto* leaves = std::get_if<LeafProof>(&certificate.proof)) {
     const ProofLeaf& leaf = leaves->leaves.front();
-    if (certificate.verdict != Outcome::refuted || certificate.parameters.empty()) return describe_leaf(leaf, m);
-    return fmt::format("at {}: {}", describe_point(midpoint(leaf.region), certificate.parameters), describe_leaf(leaf, m));
+    // Of a rule for all knots, U2 looks at equal intervals only.
+    const bool equal_intervals =
+        certificate.theorem == Theorem::u2 && std::holds_alternative<InsertionRuleText>(certificate.definition);
+    const std::string text = (equal_intervals ? "equal intervals: " : "") + describe_leaf(leaf, m);
+    if (certificate.verdict != Outcome::refuted || certificate.parameters.empty()) return text;
+    return fmt::format("at {}: {}", describe_point(midpoint(leaf.region), certificate.parameters), text);
   }
   if (const auto* asymptotic = std::get_if<AsymptoticProof>(&certificate.proof)) {
     return fmt::format("the limit scheme is C{} and the masks tend to it like x^{}, x = {} p^-(k+1)", m, asymptotic->bound.order,
@@ -238,6 +235,11 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
 
 Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
+  if (claim.subject != ClaimSubject::limits && !is_plain_mask(scheme)) {
+    Verdict verdict;
+    verdict.reason = "projective schemes and zero limits are decided for uniform schemes without parameters only";
+    return verdict;
+  }
   if (scheme.surface) {
     Verdict verdict;
     verdict.reason = "the smoothness of surface schemes is not decided by this claim";
@@ -246,10 +248,6 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
   if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
   if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
-  if (claim.subject != ClaimSubject::limits && scheme.insertion_rule) {
-    undecided.reason = "projective schemes and zero limits are decided of uniform schemes only";
-    return undecided;
-  }
   if (auto reason = beyond_checker(scheme)) {
     undecided.reason = std::move(*reason);
     return undecided;
@@ -261,7 +259,7 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
   }
   try {
     if (claim.subject == ClaimSubject::zero_limits) {
-      Attempt zero = is_plain_mask(scheme) ? from_mask(prove_zero_limits(scheme.mask, false, stop)) : plain_masks_only();
+      Attempt zero = from_mask(prove_zero_limits(scheme.mask, false, stop));
       if (zero.proof) return conclude(scheme, claim, Outcome::certified, std::move(zero));
       undecided.reason = zero.reason;
       return undecided;

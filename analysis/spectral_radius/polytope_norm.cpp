@@ -46,7 +46,10 @@ class PolytopeSearch {
     const std::vector<LeadingWord> words = approx_leading_words(family_, {12, 60}, 1e-9, stop_);
     const double room = approx_double(inner_bound_) / words.front().radius;
     generation_bound_ = inner_bound_;
-    if (room > 1 && std::isfinite(room)) generation_bound_ = round_to_bits(inner_bound_ * Rational(std::pow(room, -limits_.eagerness)), 30);
+    if (limits_.eagerness > 0 && room > 1 && std::isfinite(room)) {
+      constexpr int bits = 30;
+      generation_bound_ = std::min(inner_bound_, round_to_bits(inner_bound_ * Rational(std::pow(room, -limits_.eagerness)), bits));
+    }
     tolerated_ = approx_double(inner_bound_ / generation_bound_);
     for (const RationalMatrix& b : scaled(family_, 1 / generation_bound_)) approx_family_.push_back(approx_matrix(b));
 

@@ -59,7 +59,8 @@ class Symbol {
     Rational gap = std::max(abs(value) * power(Rational(2), -44), 4 * error_);
     for (int attempt = 0; attempt < 40; ++attempt, gap *= 8) {
       const Rational outer = sign > 0 ? rounded_up(value + gap, 60) : rounded_down(value - gap, 60);
-      const Polynomial difference = Rational(sign) * (Polynomial::constant(outer) - polynomial_) - Polynomial::constant(error_);
+      const Polynomial difference =
+          Rational(sign) * (Polynomial::constant(outer) - polynomial_) - Polynomial::constant(error_);
       if (difference(-1) <= 0 || difference(1) <= 0 || count_real_roots(difference, -1, 1) != 0) continue;
       if (sign > 0) return {{rounded_down(value - error_, 60), outer}, witness};
       return {{outer, rounded_up(value + error_, 60)}, witness};

@@ -38,8 +38,8 @@ int run_decompose(const DecomposeOptions& options) {
     std::cout << pyramid_json(report);
   } else if (!options.quiet) {
     const Pyramid& p = file.pyramid;
-    std::cout << fmt::format("{}: {} x {}, {} levels, coarse version {} x {}\n", options.output.string(), p.grid.rows, p.grid.columns,
-                             p.levels, p.coarse_rows(), p.coarse_columns());
+    std::cout << fmt::format("{}: {} x {}, {} levels, coarse version {} x {}\n", options.output.string(), p.grid.rows,
+                             p.grid.columns, p.levels, p.coarse_rows(), p.coarse_columns());
   }
   return all_as_expected;
 }

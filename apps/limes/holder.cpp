@@ -60,6 +60,7 @@ void print(const HolderReport& report, int digits, bool quiet) {
 int run_holder(const HolderOptions& options) {
   const Session session(options);
   const Scheme scheme = load_scheme(options.scheme);
+  require_one_mask(scheme, "holder");
   const Box region = region_from_settings(scheme, options.parameters);
   for (std::size_t k = 0; k < region.size(); ++k) {
     if (region[k].is_point()) continue;

@@ -55,7 +55,8 @@ BinaryMask load_binary_mask(const std::string& name, const std::vector<std::stri
   const Box region = region_from_settings(scheme, settings);
   for (std::size_t k = 0; k < region.size(); ++k) {
     if (region[k].is_point()) continue;
-    throw InputError(fmt::format("filters need one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
+    throw InputError(
+        fmt::format("filters need one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
   }
   Mask mask = at(scheme.mask, midpoint(region));
   std::vector<Rational> coefficients = mask.symbol.rational_coefficients();
@@ -71,7 +72,8 @@ Multiresolution find(const BinaryMask& mask, const limes::MultiresolutionOptions
 }
 
 std::string shown(const RationalBounds& bounds) {
-  const std::string low = to_decimal(bounds.lower, 10, Rounding::down), high = to_decimal(bounds.upper, 10, Rounding::up);
+  const std::string low = to_decimal(bounds.lower, 10, Rounding::down),
+                    high = to_decimal(bounds.upper, 10, Rounding::up);
   return low == high ? low : "[" + low + ", " + high + "]";
 }
 
@@ -82,8 +84,7 @@ std::string shown(const Rational& x) {
 
 void print(const MultiresolutionReport& report) {
   const FilterBank& bank = report.result.bank;
-  const int mask_length = bank.length() - bank.extension;
-  std::cout << fmt::format("{}: filters of length {} (mask {}, extension {}), shift {}\n", report.scheme, bank.length(), mask_length,
+  std::cout << fmt::format("{}: filters of length {} (extension {}), shift {}\n", report.scheme, bank.length(),
                            bank.extension, bank.shift);
   for (const auto& [name, filter] : {std::pair{'p', &bank.p}, {'a', &bank.a}, {'b', &bank.b}, {'q', &bank.q}}) {
     std::string line;
@@ -97,8 +98,10 @@ void print(const MultiresolutionReport& report) {
   if (constants == 0)
     std::cout << "details of constants: 0\n";
   else
-    std::cout << fmt::format("details of constants: {} (the mask violates the sum rules: details change when the data are "
-                             "translated; use --homogeneous)\n", shown(constants));
+    std::cout << fmt::format(
+        "details of constants: {} (the mask violates the sum rules: details change when the data are "
+        "translated; use --homogeneous)\n",
+        shown(constants));
   if (report.proof.certificate_json.empty()) {
     std::cout << fmt::format("biorthogonal up to {} (no certificate: --precision exact makes one)\n",
                              to_decimal(exact_biorthogonality_defect(bank), 3, Rounding::up));
@@ -106,7 +109,8 @@ void print(const MultiresolutionReport& report) {
     std::cout << fmt::format("biorthogonal: certified (theorem B1), {}\n", report.certificate);
   }
   if (!report.result.threshold_reached)
-    std::cout << fmt::format("the threshold is not reached with an extension of {}\n", report.result.steps.back().extension);
+    std::cout << fmt::format("the threshold is not reached with an extension of {}\n",
+                             report.result.steps.back().extension);
 }
 
 void write_plot(const FilterOptions& options, const std::vector<std::pair<std::string, Multiresolution>>& curves) {
@@ -137,7 +141,8 @@ void write_plot(const FilterOptions& options, const std::vector<std::pair<std::s
 int run_multiresolution(const FilterOptions& options) {
   const Session session(options);
   const limes::MultiresolutionOptions how = wanted(options);
-  if (!options.plot.empty() && options.plot.extension() != ".svg" && options.plot.extension() != ".pgf" && options.plot.extension() != ".png")
+  const std::string ending = options.plot.extension().string();
+  if (!options.plot.empty() && ending != ".svg" && ending != ".pgf" && ending != ".png")
     throw InputError(fmt::format("--plot {}: the ending must be .svg, .pgf or .png", options.plot.string()));
   const BinaryMask mask = load_binary_mask(options.scheme, options.parameters);
   std::vector<std::pair<std::string, Multiresolution>> curves{{mask.scheme, find(mask, how, session.stop())}};

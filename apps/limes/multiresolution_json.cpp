@@ -68,8 +68,10 @@ std::string pyramid_json(const PyramidReport& report) {
   Json outputs = Json::array();
   for (const auto& [file, kind] : report.outputs) outputs.push_back({{"file", file}, {"kind", kind}});
   const Grid& grid = report.pyramid.grid;
-  Json json{{"outputs", outputs},          {"rows", grid.rows},
-            {"columns", grid.columns},     {"channels", grid.channels},
+  Json json{{"outputs", outputs},
+            {"rows", grid.rows},
+            {"columns", grid.columns},
+            {"channels", grid.channels},
             {"levels", report.pyramid.levels}};
   if (report.details) json["details"] = {{"kept", report.details->kept}, {"total", report.details->total}};
   if (report.difference) {

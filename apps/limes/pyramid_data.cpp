@@ -23,7 +23,8 @@ std::string grid_text(const GridData& data, const std::filesystem::path& file) {
   if (file.extension() == ".csv") {
     if (data.kind == DataKind::curve) return curve_to_csv(data.grid);
     if (data.grid.channels == 1) return heights_to_csv(data.grid);
-    throw InputError(fmt::format("{}: an image with {} channels is no grid of heights", file.string(), data.grid.channels));
+    throw InputError(
+        fmt::format("{}: an image with {} channels is no grid of heights", file.string(), data.grid.channels));
   }
   if (file.extension() != ".png") throw InputError(fmt::format("{}: the ending must be .csv or .png", file.string()));
   if (data.kind == DataKind::curve) throw InputError(fmt::format("{}: points are no image", file.string()));

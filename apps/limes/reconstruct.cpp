@@ -21,12 +21,13 @@ PyramidFile read(const ReconstructOptions& options, const FilterBank& filters) {
   if (!is_pyramid_file(options.data)) {
     GridData data = read_grid(options.data, options.heights);
     const Grid grid = options.homogeneous ? with_weights(std::move(data.grid)) : std::move(data.grid);
-    return {PyramidTransform(filters, boundary_of(options)).without_details(grid, options.levels.value_or(1)), data.kind, data.bits,
-            options.homogeneous, filters};
+    return {PyramidTransform(filters, boundary_of(options)).without_details(grid, options.levels.value_or(1)),
+            data.kind, data.bits, options.homogeneous, filters};
   }
   PyramidFile file = read_pyramid_file(options.data);
   const FilterBank& own = file.filters;
-  if (own.p != filters.p || own.a != filters.a || own.b != filters.b || own.q != filters.q || own.shift != filters.shift)
+  if (own.p != filters.p || own.a != filters.a || own.b != filters.b || own.q != filters.q ||
+      own.shift != filters.shift)
     throw InputError(fmt::format("the pyramid was made with other filters than those of {}", options.filters.string()),
                      {options.data.string(), 0, 0});
   return file;
@@ -43,7 +44,8 @@ void replace_coarse(PyramidFile& file, const ReconstructOptions& options) {
   }
 }
 
-std::optional<DetailCount> remove_details(Pyramid& pyramid, const PyramidTransform& transform, const ReconstructOptions& options) {
+std::optional<DetailCount> remove_details(Pyramid& pyramid, const PyramidTransform& transform,
+                                          const ReconstructOptions& options) {
   if (options.drop.has_value() + options.threshold.has_value() + options.keep.has_value() > 1)
     throw InputError("--drop, --threshold and --keep exclude each other");
   if (options.drop) return drop_details(pyramid, *options.drop);
@@ -94,8 +96,10 @@ int run_reconstruct(const ReconstructOptions& options) {
   Grid grid = file.pyramid.levels == 0 ? std::move(file.pyramid.grid) : coarse_grid(file.pyramid);
   if (file.homogeneous) grid = divided_by_weights(grid);
   const GridData result{std::move(grid), file.kind, file.bits};
-  Pyramid shape{{result.grid.rows, result.grid.columns, result.grid.channels, {}}, file.pyramid.levels, file.pyramid.boundary};
-  PyramidReport report{{{options.output.string(), options.output.extension() == ".png" ? "png" : "csv"}}, shape, details, {}, {}};
+  Pyramid shape{
+      {result.grid.rows, result.grid.columns, result.grid.channels, {}}, file.pyramid.levels, file.pyramid.boundary};
+  PyramidReport report{
+      {{options.output.string(), options.output.extension() == ".png" ? "png" : "csv"}}, shape, details, {}, {}};
   compare(result, options, report);
   write_file(options.output, grid_text(result, options.output));
   if (options.json) {
@@ -104,7 +108,8 @@ int run_reconstruct(const ReconstructOptions& options) {
     std::cout << fmt::format("{}: {} x {}\n", options.output.string(), result.grid.rows, result.grid.columns);
     if (details) std::cout << fmt::format("details kept: {} of {}\n", details->kept, details->total);
     if (report.difference)
-      std::cout << fmt::format("PSNR {:.4f} dB, greatest difference {:.6g}\n", report.difference->psnr, report.difference->maximum);
+      std::cout << fmt::format("PSNR {:.4f} dB, greatest difference {:.6g}\n", report.difference->psnr,
+                               report.difference->maximum);
     if (report.luminosity_psnr) std::cout << fmt::format("PSNR of the luminosity {:.4f} dB\n", *report.luminosity_psnr);
   }
   return all_as_expected;

@@ -42,6 +42,11 @@ std::vector<Claim> claims_to_report(const Scheme& scheme, const ReportOptions& o
 std::vector<ReportedScheme> claims_of(const ReportOptions& options) {
   std::vector<ReportedScheme> schemes;
   for (Scheme& scheme : load_schemes(options.schemes)) {
+    if (scheme.sequence && options.schemes.empty()) {
+      if (!options.quiet) std::cerr << fmt::format("limes: the report leaves out {}: it is nonstationary\n", scheme.name);
+      continue;
+    }
+    require_one_mask(scheme, "report");
     ReportedScheme reported;
     for (const Claim& claim : claims_to_report(scheme, options)) reported.claims.push_back({claim, {}, {}});
     reported.scheme = std::move(scheme);

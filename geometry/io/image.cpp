@@ -73,11 +73,13 @@ void append_bytes(png_structp png, png_bytep bytes, png_size_t count) {
 }
 
 bool write_rows(Writing& w, std::string& out, const Image& image, png_bytepp rows) {
-  constexpr int types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
+  constexpr int types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                           PNG_COLOR_TYPE_RGB_ALPHA};
   if (setjmp(png_jmpbuf(w.png))) return false;
   png_set_write_fn(w.png, &out, append_bytes, nullptr);
-  png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(image.grid.columns), static_cast<png_uint_32>(image.grid.rows), image.bits,
-               types[image.grid.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(image.grid.columns), static_cast<png_uint_32>(image.grid.rows),
+               image.bits, types[image.grid.channels - 1], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
   png_write_info(w.png, w.info);
   png_write_image(w.png, rows);
   png_write_end(w.png, nullptr);
@@ -92,7 +94,8 @@ Image read_png_file(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file) || !(r.file = std::fopen(file.c_str(), "rb")))
     throw InputError("cannot read the file", where);
   png_byte signature[8] = {};
-  if (std::fread(signature, 1, 8, r.file) != 8 || png_sig_cmp(signature, 0, 8) != 0) throw InputError("this is no PNG image", where);
+  if (std::fread(signature, 1, 8, r.file) != 8 || png_sig_cmp(signature, 0, 8) != 0)
+    throw InputError("this is no PNG image", where);
   r.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &r.failure, on_error, on_warning);
   if (r.png) r.info = png_create_info_struct(r.png);
   if (!r.info) throw std::bad_alloc();
@@ -129,7 +132,8 @@ Image read_png_file(const std::filesystem::path& file) {
 std::string to_png(const Image& image) {
   const Grid& g = image.grid;
   if (g.channels < 1 || g.channels > 4 || (image.bits != 8 && image.bits != 16) || g.rows == 0 || g.columns == 0)
-    throw DomainError(fmt::format("a PNG image of {} x {} with {} channels of {} bits", g.columns, g.rows, g.channels, image.bits));
+    throw DomainError(
+        fmt::format("a PNG image of {} x {} with {} channels of {} bits", g.columns, g.rows, g.channels, image.bits));
   const std::size_t row_bytes = g.columns * g.channels * static_cast<std::size_t>(image.bits / 8);
   std::vector<png_byte> bytes;
   bytes.reserve(row_bytes * g.rows);

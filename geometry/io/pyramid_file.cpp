@@ -35,7 +35,8 @@ std::size_t choice(const nlohmann::json& json, const char* key, const auto& name
   throw InputError(fmt::format("the pyramid's header lacks a known \"{}\"", key), where);
 }
 
-std::size_t integer(const nlohmann::json& json, const char* key, std::uint64_t low, std::uint64_t high, const SourcePosition& where) {
+std::size_t integer(const nlohmann::json& json, const char* key, std::uint64_t low, std::uint64_t high,
+                    const SourcePosition& where) {
   if (!json.contains(key) || !json[key].is_number_unsigned() || json[key].get<std::uint64_t>() < low ||
       json[key].get<std::uint64_t>() > high)
     throw InputError(fmt::format("the pyramid's header needs \"{}\" from {} to {}", key, low, high), where);
@@ -99,7 +100,9 @@ PyramidFile read_pyramid_file(const std::filesystem::path& file) {
   std::error_code error;
   const auto size = static_cast<double>(std::filesystem::file_size(file, error));
   if (error || numbers > max_numbers || size != static_cast<double>(line.size()) + 1 + 8 * numbers)
-    throw InputError(fmt::format("a damaged pyramid: its header announces {:.0f} numbers, the file has another size", numbers), where);
+    throw InputError(
+        fmt::format("a damaged pyramid: its header announces {:.0f} numbers, the file has another size", numbers),
+        where);
   for (const std::size_t length : {grid.rows, grid.columns}) {
     if (length != 1 && length % (std::size_t{1} << result.pyramid.levels) != 0)
       throw InputError(fmt::format("a damaged pyramid: {} levels of {}", result.pyramid.levels, length), where);

@@ -201,7 +201,8 @@ bool is_bound(const Filter& g, const mpq_class& bound, int sign, Budget& budget)
 
 /// The extreme value of G on [-1, 1], greatest (sign 1) or least (sign -1), lies within the bounds: at a witness it reaches
 /// the inner one, nowhere it exceeds the outer one.
-void prove_extreme(const Filter& f, const Bounds& bounds, const mpq_class& witness, int sign, const char* name, Budget& budget) {
+void prove_extreme(const Filter& f, const Bounds& bounds, const mpq_class& witness, int sign, const char* name,
+                   Budget& budget) {
   const Filter g = gram_symbol(f, budget);
   if (abs(witness) > 1) throw Rejected{"singular_values", std::string(name) + ": the witness is not in [-1, 1]"};
   const mpq_class at_witness = value(g, witness, budget);
@@ -222,15 +223,18 @@ std::string shown(const Bounds& bounds) {
 }  // namespace
 
 std::string check_biorthogonality(const Json& json, Budget& budget) {
-  const Reader top(json, "format", "the certificate", {"format", "version", "theorem", "verdict", "scheme", "claim", "proof"});
+  const Reader top(json, "format", "the certificate",
+                   {"format", "version", "theorem", "verdict", "scheme", "claim", "proof"});
   if (top.text(top.at("verdict"), "verdict") != "certified") top.fail("needs the verdict certified");
-  const Reader scheme(top.at("scheme"), "scheme", "the scheme", {"kind", "name", "parameters", "arity", "first_index", "mask"});
+  const Reader scheme(top.at("scheme"), "scheme", "the scheme",
+                      {"kind", "name", "parameters", "arity", "first_index", "mask"});
   if (scheme.text(scheme.at("kind"), "kind") != "uniform") scheme.fail("needs the kind uniform");
   scheme.list("parameters", 0, 0);
   scheme.integer(scheme.at("arity"), "arity", 2, 2);
   scheme.integer(scheme.at("first_index"), "first_index", -1000000, 1000000);
   const std::string& name = scheme.text(scheme.at("name"), "name");
-  if (name.empty() || name.size() > 200 || std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; }))
+  if (name.empty() || name.size() > 200 ||
+      std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; }))
     scheme.fail("needs a name of 1 to 200 bytes without control characters");
   const Filter mask = read_filter(scheme, "mask", budget);
 
@@ -243,9 +247,11 @@ std::string check_biorthogonality(const Json& json, Budget& budget) {
     filters.fail("need one even length");
   const int shift = filters.integer(filters.at("shift"), "shift", -2000, 2000);
   if (shift % 2 != 0) filters.fail("need an even shift");
-  const Reader squares(claim.at("squares"), "claim", "the squares", {"orthogonality_error", "sigma_min_p", "norm_a", "norm_b"});
-  const Bounds error = read_bounds(squares, "orthogonality_error", budget), least = read_bounds(squares, "sigma_min_p", budget),
-               norm_a = read_bounds(squares, "norm_a", budget), norm_b = read_bounds(squares, "norm_b", budget);
+  const Reader squares(claim.at("squares"), "claim", "the squares",
+                       {"orthogonality_error", "sigma_min_p", "norm_a", "norm_b"});
+  const Bounds error = read_bounds(squares, "orthogonality_error", budget),
+               least = read_bounds(squares, "sigma_min_p", budget), norm_a = read_bounds(squares, "norm_a", budget),
+               norm_b = read_bounds(squares, "norm_b", budget);
   const Reader proof(top.at("proof"), "proof", "the proof", {"sigma_min_p", "norm_a", "norm_b"});
 
   if (mask.size() > p.size()) throw Rejected{"mask", "p is shorter than the mask"};
@@ -267,17 +273,22 @@ std::string check_biorthogonality(const Json& json, Budget& budget) {
   }
   const mpz_class unit = p.denominator * q.denominator;
   const mpz_class square = unit * unit;
-  if (sum * error.lower.get_den() < error.lower.get_num() * square || sum * error.upper.get_den() > error.upper.get_num() * square)
+  if (sum * error.lower.get_den() < error.lower.get_num() * square ||
+      sum * error.upper.get_den() > error.upper.get_num() * square)
     throw Rejected{"orthogonality_error", "||P^T q||^2 is not between its bounds"};
-  prove_extreme(p, least, read_number(proof.at("sigma_min_p"), proof, "sigma_min_p", budget), -1, "sigma_min(P)", budget);
+  prove_extreme(p, least, read_number(proof.at("sigma_min_p"), proof, "sigma_min_p", budget), -1, "sigma_min(P)",
+                budget);
   prove_extreme(a, norm_a, read_number(proof.at("norm_a"), proof, "norm_a", budget), 1, "||A||", budget);
   prove_extreme(b, norm_b, read_number(proof.at("norm_b"), proof, "norm_b", budget), 1, "||B||", budget);
   std::string label = "\"";
   for (const char c : name) label += c == '"' ? '\'' : c;
-  return "certified: filters of length " + std::to_string(p.size()) + " and shift " + std::to_string(shift) + " for " + label +
-         "\" satisfy AP = I, AQ = 0, BP = 0, BQ = I and PA + QB = I on the integers and for circulant matrices of every size; "
-         "||P^T q||^2 in " + shown(error) + ", sigma_min(P)^2 in " + shown(least) + ", ||A||^2 in " + shown(norm_a) +
-         ", ||B||^2 in " + shown(norm_b) + " (theorem B1)";
+  return "certified: filters of length " + std::to_string(p.size()) + " and shift " + std::to_string(shift) + " for " +
+         label +
+         "\" satisfy AP = I, AQ = 0, BP = 0, BQ = I and PA + QB = I on the integers and for circulant matrices of "
+         "every size; "
+         "||P^T q||^2 in " +
+         shown(error) + ", sigma_min(P)^2 in " + shown(least) + ", ||A||^2 in " + shown(norm_a) + ", ||B||^2 in " +
+         shown(norm_b) + " (theorem B1)";
 }
 
 }  // namespace limes::checker

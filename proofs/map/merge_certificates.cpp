@@ -14,7 +14,7 @@ bool join(Json& target, const Json& other) {
   if (target.size() != other.size()) return false;
   for (auto& [key, value] : target.items()) {
     if (!other.contains(key)) return false;
-    if ((key == "leaves" || key == "dominance") && value.is_array() && other[key].is_array()) {
+    if ((key == "leaves" || key == "dominance" || key == "mirrored") && value.is_array() && other[key].is_array()) {
       value.insert(value.end(), other[key].begin(), other[key].end());
     } else if (!join(value, other[key])) {
       return false;
@@ -34,6 +34,8 @@ std::optional<std::string> merge_certificates(const std::vector<std::string>& ce
     for (const std::string& text : certificates) {
       Json next = Json::parse(text);
       next.at("claim").at("region") = claimed;
+      // Theorem N3 writes a single leaf as the proof itself.
+      if (Json& proof = next.at("proof"); proof.contains("gamma")) proof = {{"leaves", Json::array({proof})}};
       if (!result) {
         result = std::move(next);
       } else if (!join(*result, next)) {

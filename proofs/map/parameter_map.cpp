@@ -331,6 +331,9 @@ ProofLimits MapOptions::default_limits() {
 ParameterMap map_parameters(const Scheme& scheme, int smoothness, const Box& region, const MapOptions& options,
                             const MapObserver& observer, const Stop& stop) {
   if (region.size() != scheme.parameters.size()) throw DomainError("map_parameters: the region has the wrong number of parameters");
+  if (scheme.kind != SchemeKind::uniform && scheme.kind != SchemeKind::nonuniform) {
+    throw InputError(fmt::format("maps are made of uniform and non-uniform schemes, not of {} ones", to_string(scheme.kind)));
+  }
   if (options.tolerance <= 0) throw InputError("the tolerance of a map must be positive");
   return MapSearch(scheme, smoothness, region, options, observer, stop).run();
 }

@@ -8,8 +8,8 @@ FilterBank alternated_bank(std::vector<Rational> p, std::vector<Rational> q, int
   const std::size_t length = p.size();
   if (length % 2 != 0 || q.size() != length || shift % 2 != 0)
     throw DomainError("filters need one even length and an even shift");
-  FilterBank bank{std::move(p), std::vector<Rational>(length), std::vector<Rational>(length), std::move(q),
-                  shift, extension};
+  FilterBank bank{std::move(p), std::vector<Rational>(length), std::vector<Rational>(length), std::move(q), shift,
+                  extension};
   for (std::size_t i = 0; i < length; ++i) {
     const std::size_t mirrored = length - 1 - i;
     bank.b[i] = i % 2 == 0 ? -bank.p[mirrored] : bank.p[mirrored];
@@ -33,10 +33,9 @@ Rational exact_biorthogonality_defect(const FilterBank& bank) {
   const int reach = bank.length() + std::abs(bank.shift);
   for (int lag = -reach; lag <= reach; ++lag) {
     const Rational identity = lag == 0 ? 1 : 0;
-    for (const Rational& entry : {correlation(bank.p, bank.a, bank.shift, lag) - identity,
-                                  correlation(bank.q, bank.a, bank.shift, lag),
-                                  correlation(bank.p, bank.b, bank.shift, lag),
-                                  correlation(bank.q, bank.b, bank.shift, lag) - identity}) {
+    for (const Rational& entry :
+         {correlation(bank.p, bank.a, bank.shift, lag) - identity, correlation(bank.q, bank.a, bank.shift, lag),
+          correlation(bank.p, bank.b, bank.shift, lag), correlation(bank.q, bank.b, bank.shift, lag) - identity}) {
       if (abs(entry) > defect) defect = abs(entry);
     }
   }

@@ -20,7 +20,8 @@ std::vector<Rational> read_filter(const nlohmann::json& json, const char* key, c
   const auto found = json.find(key);
   if (found == json.end()) throw InputError(fmt::format("the key \"{}\" is missing", key), where);
   if (!found->is_array() || found->size() < 2 || found->size() > max_length || found->size() % 2 != 0)
-    throw InputError(fmt::format("\"{}\" must be a list of an even number of entries, 2 to {}", key, max_length), where);
+    throw InputError(fmt::format("\"{}\" must be a list of an even number of entries, 2 to {}", key, max_length),
+                     where);
   std::vector<Rational> filter;
   for (const nlohmann::json& entry : *found) {
     if (!entry.is_string())
@@ -81,7 +82,8 @@ FilterBank read_filters(std::string_view text, const std::filesystem::path& file
     throw InputError("no file of filters: \"format\" is not \"limes-filters\"", where);
   if (json.value("version", nlohmann::json()) != 1) throw InputError("the version of the filters is not 1", where);
   for (const auto& [key, value] : json.items()) {
-    constexpr std::string_view known[] = {"format", "version", "name", "p", "a", "b", "q", "shift", "extension", "source"};
+    constexpr std::string_view known[] = {"format", "version", "name",  "p",         "a",
+                                          "b",      "q",       "shift", "extension", "source"};
     if (std::find(std::begin(known), std::end(known), key) == std::end(known))
       throw InputError(fmt::format("unknown key \"{}\"", key), where);
   }
@@ -96,8 +98,10 @@ FilterBank read_filters(std::string_view text, const std::filesystem::path& file
   }
   const Rational defect = exact_biorthogonality_defect(bank);
   if (defect * 1000000 > 1) {
-    throw InputError(fmt::format("the filters do not invert each other: AP - I, AQ, BP or BQ - I has an entry of modulus {:.3g}",
-                                 approx_double(defect)), where);
+    throw InputError(
+        fmt::format("the filters do not invert each other: AP - I, AQ, BP or BQ - I has an entry of modulus {:.3g}",
+                    approx_double(defect)),
+        where);
   }
   return bank;
 }

@@ -9,8 +9,8 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include <cmath>
 #include <mutex>
@@ -235,12 +235,9 @@ std::vector<double> approx_singular_values(const LeastSquares& system, const Rat
   const Matrix<Mpfr> orthonormal =
       Eigen::HouseholderQR<Matrix<Mpfr>>(span).householderQ() * Matrix<Mpfr>::Identity(n, columns);
   const Matrix<Mpfr> restricted = orthonormal.transpose() * gram * orthonormal;
-  const Eigen::SelfAdjointEigenSolver<Matrix<Mpfr>> solver(restricted, Eigen::EigenvaluesOnly);
+  const Eigen::JacobiSVD<Matrix<Mpfr>> svd(restricted);
   std::vector<double> values;
-  for (Eigen::Index k = columns; k-- > 0;) {
-    const Mpfr square = solver.eigenvalues()(k);
-    values.push_back(square > 0 ? static_cast<double>(Mpfr(sqrt(square))) : 0.0);
-  }
+  for (Eigen::Index k = 0; k < columns; ++k) values.push_back(static_cast<double>(Mpfr(sqrt(svd.singularValues()(k)))));
   return values;
 }
 

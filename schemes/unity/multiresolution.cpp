@@ -92,7 +92,8 @@ void check(const std::vector<Rational>& mask, const MultiresolutionOptions& opti
   throw InputError("the even and the odd part of the mask have a common zero, so no banded filters reverse the scheme");
 }
 
-std::vector<Candidate> candidates(const std::vector<Rational>& p, int extension, const MultiresolutionOptions& options) {
+std::vector<Candidate> candidates(const std::vector<Rational>& p, int extension,
+                                  const MultiresolutionOptions& options) {
   switch (options.arithmetic) {
     case Arithmetic::exact:
       return multiresolution_impl::exact_candidates(p, extension);
@@ -143,15 +144,13 @@ Multiresolution find_multiresolution(const std::vector<Rational>& mask, const Mu
     p.resize((mask.size() + 1) / 2 * 2 + std::size_t(l));
     const std::vector<Candidate> list = candidates(p, l, options);
     const Candidate& chosen = best(list, options);
-    const bool better = result.steps.empty() ||
-                        chosen.squared_error < result.squared_error * (1 - tolerance(options));
+    const bool better = result.steps.empty() || chosen.squared_error < result.squared_error * (1 - tolerance(options));
     result.steps.push_back({l, chosen.shift, chosen.squared_error});
     if (better) {
       result.bank = alternated_bank(p, chosen.q, chosen.shift, l);
       result.squared_error = chosen.squared_error;
     }
-    result.threshold_reached =
-        !options.threshold || result.squared_error <= *options.threshold * *options.threshold;
+    result.threshold_reached = !options.threshold || result.squared_error <= *options.threshold * *options.threshold;
     if (options.threshold && result.threshold_reached) break;
   }
   return result;

@@ -12,8 +12,8 @@
 namespace limes::multiresolution_impl {
 namespace {
 
-using Multiprecision = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
-                                                     boost::multiprecision::et_off>;
+using Multiprecision =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
 template <class T>
 T converted(const Rational& x);
@@ -43,7 +43,8 @@ std::vector<Candidate> approx_candidates(const std::vector<Rational>& mask, int 
   for (int i = 1; i < K; ++i) {
     for (int j = 1; j <= K; ++j) {
       const int b = 2 * i - j + 1, m = K - 2 * i + j;  // entries of p, counted from 1
-      if (i <= rows && b >= 1 && b <= K) C(i - 1, j - 1) = j % 2 == 0 ? p[std::size_t(b - 1)] : T(-p[std::size_t(b - 1)]);
+      if (i <= rows && b >= 1 && b <= K)
+        C(i - 1, j - 1) = j % 2 == 0 ? p[std::size_t(b - 1)] : T(-p[std::size_t(b - 1)]);
       if (m >= 1 && m <= K) M(i - 1, j - 1) = p[std::size_t(m - 1)];
     }
   }

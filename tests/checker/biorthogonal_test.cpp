@@ -74,7 +74,8 @@ TEST(Biorthogonal, FalseBoundsAreRejectedAndWiderOnesAreTrue) {
   expect_rejected(with("norm_b", "2", "1"), "claim", "reversed");
   EXPECT_TRUE(check(with("norm_a", "0", "100")).valid);
   EXPECT_TRUE(check(with("sigma_min_p", "-1", "100")).valid);
-  EXPECT_TRUE(check(with("sigma_min_p", "4999999999999999999999999999999/10000000000000000000000000000000", "1/2")).valid);
+  EXPECT_TRUE(
+      check(with("sigma_min_p", "4999999999999999999999999999999/10000000000000000000000000000000", "1/2")).valid);
 }
 
 TEST(Biorthogonal, WitnessesAreNeeded) {
@@ -97,11 +98,11 @@ void mutate(const Json& original, const Json::json_pointer& at, std::size_t& cou
     expect_rejected(json, "", at.to_string() + " " + what);
     ++count;
   };
-  for (const Json& value : {Json(nullptr), Json(true), Json::array(), Json::object(), Json(1.5), Json("x"), Json(""), Json(-7),
-                            Json("1/0"), Json(1e300)}) {
+  for (const Json& value : {Json(nullptr), Json(true), Json::array(), Json::object(), Json(1.5), Json("x"), Json(""),
+                            Json(-7), Json("1/0"), Json(1e300)}) {
     const std::string key = at.empty() ? "" : at.back();
-    if (key == "name" && value.is_string() && value != "") continue;          // a label
-    if (key == "first_index" && value.is_number_integer()) continue;          // a shift proves nothing
+    if (key == "name" && value.is_string() && value != "") continue;  // a label
+    if (key == "first_index" && value.is_number_integer()) continue;  // a shift proves nothing
     if (key == "parameters" && value == Json::array()) continue;
     expect(value, value.dump().c_str());
   }

@@ -27,33 +27,27 @@ void expect_invalid(const Json& json, const std::string& step) {
 
 const Claim chaikin{{}, {"1/4", "3/4", "3/4", "1/4"}, "C1"};
 
-// 2 a / (1+z)^2 = -2w + 4w z + (1 - 4w) z^2 + 4w z^3 - 2w z^4: for w in [1/100, 1/25] the columns of the 4 x 4 sections sum to
-// less than 1.
-Claim four_point(const std::string& w) {
-  return {{"w"}, {"-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"}, "C1", {{"w", w}}};
-}
+// a = (1+z)^2 b / 2 with b = (1/2 + w) + (1/2 - w) z: the sections are the numbers 1/2 + w and 1/2 - w.
+Claim tilted(const std::string& w) { return {{"w"}, {"1/4+w/2", "3/4+w/2", "3/4-w/2", "1/4-w/2"}, "C1", {{"w", w}}}; }
 
 TEST(PolytopeLeaf, NormsOfSectionsWithAndWithoutParameters) {
   expect_valid(by_polytope(chaikin, one_norm("1/2", 1, 2)));
-  expect_valid(by_polytope(four_point("1/16"), one_norm("3/4", 4, 2)));
+  expect_valid(by_polytope(tilted("1/8"), one_norm("5/8", 1, 2)));
   // Two Bernstein coefficients times two sections.
-  expect_valid(by_polytope(four_point("[1/100, 1/25]"), one_norm("24/25", 4, 4)));
+  expect_valid(by_polytope(tilted("[1/8, 1/4]"), one_norm("3/4", 1, 4)));
 }
 
 TEST(PolytopeLeaf, WithADenominator) {
-  // The same scheme with w = 1/v.
-  const Claim claim{{"v"}, {"-1/v", "0", "1/2+1/v", "1", "1/2+1/v", "0", "-1/v"}, "C1", {{"v", "[25, 100]"}}};
-  expect_valid(by_polytope(claim, one_norm("24/25", 4, 4)));
+  // The same scheme with w = 1/v, and with v < 0.
+  const Claim claim{{"v"}, {"1/4+1/v/2", "3/4+1/v/2", "3/4-1/v/2", "1/4-1/v/2"}, "C1", {{"v", "[4, 8]"}}};
+  expect_valid(by_polytope(claim, one_norm("3/4", 1, 4)));
   Claim negative = claim;
-  for (std::string& entry : negative.mask) {
-    for (std::size_t at = 0; (at = entry.find("1/v", at)) != std::string::npos; at += 6) entry.replace(at, 3, "(-1/v)");
-  }
-  negative.region = {{"v", "[-100, -25]"}};
-  expect_valid(by_polytope(negative, one_norm("24/25", 4, 4)));
+  negative.region = {{"v", "[-8, -4]"}};
+  expect_valid(by_polytope(negative, one_norm("3/4", 1, 4)));
   // D = v vanishes at an end that does not belong to the leaf: no convex combination there.
   Claim open = claim;
-  open.region = {{"v", "(0, 100]"}};
-  expect_invalid(by_polytope(open, one_norm("24/25", 4, 4)), "denominator");
+  open.region = {{"v", "(0, 8]"}};
+  expect_invalid(by_polytope(open, one_norm("3/4", 1, 4)), "denominator");
 }
 
 TEST(PolytopeLeaf, TheBoundIsBelowOneAndHolds) {
@@ -61,17 +55,20 @@ TEST(PolytopeLeaf, TheBoundIsBelowOneAndHolds) {
   expect_invalid(by_polytope(chaikin, one_norm("3/2", 1, 2)), "polytope");
   expect_invalid(by_polytope(chaikin, one_norm("49/100", 1, 2)), "polytope");
   expect_invalid(by_polytope(chaikin, one_norm("-1", 1, 2)), "polytope");
-  expect_invalid(by_polytope(four_point("[1/100, 1/4]"), one_norm("24/25", 4, 4)), "polytope");
+  expect_invalid(by_polytope(tilted("[1/8, 1/4]"), one_norm("74/100", 1, 4)), "polytope");
+  // The first or the last Bernstein coefficient alone would do.
+  expect_invalid(by_polytope(tilted("[1/8, 3/4]"), one_norm("3/4", 1, 4)), "polytope");
+  expect_invalid(by_polytope(tilted("[-3/4, 1/8]"), one_norm("3/4", 1, 4)), "polytope");
   // An open end is no way out: there the norm is 1.
-  expect_invalid(by_polytope(four_point("(0, 1/25]"), one_norm("999999/1000000", 4, 4)), "polytope");
+  expect_invalid(by_polytope(tilted("[1/4, 1/2)"), one_norm("999999/1000000", 1, 4)), "polytope");
 }
 
 TEST(PolytopeLeaf, EveryMatrixTakesPart) {
   for (const std::size_t matrices : {0u, 1u, 2u, 3u, 5u}) {
-    EXPECT_FALSE(check(by_polytope(four_point("[1/100, 1/25]"), one_norm("24/25", 4, matrices))).valid) << matrices;
+    EXPECT_FALSE(check(by_polytope(tilted("[1/8, 1/4]"), one_norm("3/4", 1, matrices))).valid) << matrices;
   }
-  for (const std::size_t dimension : {0u, 1u, 3u, 5u}) {
-    EXPECT_FALSE(check(by_polytope(four_point("[1/100, 1/25]"), one_norm("24/25", dimension, 4))).valid) << dimension;
+  for (const std::size_t dimension : {0u, 2u, 3u}) {
+    EXPECT_FALSE(check(by_polytope(tilted("[1/8, 1/4]"), one_norm("3/4", dimension, 4))).valid) << dimension;
   }
 }
 

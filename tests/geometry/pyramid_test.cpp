@@ -32,8 +32,9 @@ std::vector<NamedBank> banks() {
     const std::string suffix = std::to_string(extension);
     result.push_back({"chaikin" + suffix, bank_for({"1/4", "3/4", "3/4", "1/4"}, extension)});
     result.push_back({"four-point" + suffix, bank_for({"-1/16", "0", "9/16", "1", "9/16", "0", "-1/16"}, extension)});
-    result.push_back({"cinpact" + suffix, bank_for({"0.0240126", "0", "-0.129882", "0", "0.606154", "0.99909", "0.606154", "0",
-                                                    "-0.129882", "0", "0.0240126"}, extension)});
+    result.push_back({"cinpact" + suffix, bank_for({"0.0240126", "0", "-0.129882", "0", "0.606154", "0.99909",
+                                                    "0.606154", "0", "-0.129882", "0", "0.0240126"},
+                                                   extension)});
   }
   result.push_back({"haar", bank_for({"1", "1"}, 0)});
   result.push_back({"asymmetric", bank_for({"1/3", "1", "3/4", "1/5"}, 4)});
@@ -52,7 +53,8 @@ Grid random_grid(std::size_t rows, std::size_t columns, std::size_t channels, un
 
 /// Entry i of A f or B f by the definition: row i begins at column 2i + shift, where P's column j begins at row 2j; with the
 /// origin of the fine points that the class documents.
-double by_definition(const std::vector<Rational>& filter, int start, long i, const std::vector<double>& f, Boundary boundary) {
+double by_definition(const std::vector<Rational>& filter, int start, long i, const std::vector<double>& f,
+                     Boundary boundary) {
   double sum = 0;
   const long n = static_cast<long>(f.size());
   for (std::size_t m = 0; m < filter.size(); ++m) {
@@ -77,7 +79,9 @@ TEST(Pyramid, CoarsePointsAreThoseOfTheDefinition) {
       const int origin = static_cast<int>(length - 1) / 2;
       double largest = 0;
       for (long i = 0; i < 8; ++i) {
-        EXPECT_NEAR(pyramid.grid.values[std::size_t(i)], by_definition(bank.a, bank.shift - origin, i, data.values, boundary), 1e-12) << name;
+        EXPECT_NEAR(pyramid.grid.values[std::size_t(i)],
+                    by_definition(bank.a, bank.shift - origin, i, data.values, boundary), 1e-12)
+            << name;
         largest = std::max(largest, std::abs(pyramid.grid.values[std::size_t(8 + i)]));
       }
       EXPECT_GT(largest, 0);
@@ -87,8 +91,9 @@ TEST(Pyramid, CoarsePointsAreThoseOfTheDefinition) {
       for (int move = -16; move <= 16 && !found; ++move) {
         found = true;
         for (long i = 0; i < 8; ++i)
-          found = found && std::abs(pyramid.grid.values[std::size_t(8 + i)] -
-                                    by_definition(bank.b, bank.shift - origin + 2 * move, i, data.values, boundary)) < 1e-12;
+          found = found &&
+                  std::abs(pyramid.grid.values[std::size_t(8 + i)] -
+                           by_definition(bank.b, bank.shift - origin + 2 * move, i, data.values, boundary)) < 1e-12;
       }
       EXPECT_TRUE(found) << name;
     }
@@ -99,12 +104,14 @@ TEST(Pyramid, RoundTripIsLosslessForAllSizesAndEnds) {
   for (const auto& [name, bank] : banks()) {
     for (const Boundary boundary : boundaries) {
       const PyramidTransform transform(bank, boundary);
-      for (const auto& [rows, columns, levels] : {std::tuple{1, 2, 1}, {1, 8, 3}, {1, 64, 2}, {1, 1040, 4}, {32, 48, 3}, {128, 64, 1}, {64, 1, 2}}) {
+      for (const auto& [rows, columns, levels] :
+           {std::tuple{1, 2, 1}, {1, 8, 3}, {1, 64, 2}, {1, 1040, 4}, {32, 48, 3}, {128, 64, 1}, {64, 1, 2}}) {
         const Grid data = random_grid(std::size_t(rows), std::size_t(columns), 2, 11);
         const Pyramid pyramid = transform.decompose(data, levels);
         const Pyramid back = transform.reconstruct(pyramid, levels);
         EXPECT_EQ(back.levels, 0);
-        EXPECT_LT(difference(back.grid, data, 1).maximum, 1e-11) << name << " " << int(boundary) << " " << rows << "x" << columns;
+        EXPECT_LT(difference(back.grid, data, 1).maximum, 1e-11)
+            << name << " " << int(boundary) << " " << rows << "x" << columns;
       }
     }
   }
@@ -134,7 +141,8 @@ TEST(Pyramid, SumRulesKeepConstantsOutOfTheDetails) {
   for (const Boundary boundary : boundaries) {
     Grid data = random_grid(16, 16, 1, 1);
     data.values.assign(data.values.size(), 3);
-    Pyramid pyramid = PyramidTransform(bank_for({"-1/16", "0", "9/16", "1", "9/16", "0", "-1/16"}, 4), boundary).decompose(data, 2);
+    Pyramid pyramid =
+        PyramidTransform(bank_for({"-1/16", "0", "9/16", "1", "9/16", "0", "-1/16"}, 4), boundary).decompose(data, 2);
     for (const double x : coarse_grid(pyramid).values) EXPECT_NEAR(x, 3, 1e-12);
     EXPECT_EQ(threshold_details(pyramid, 1e-12).kept, 0u);
   }
@@ -180,7 +188,8 @@ TEST(Pyramid, DetailNormsAreTheNormsOfWhatADetailAdds) {
   for (const auto& [name, bank] : banks()) {
     const PyramidTransform transform(bank, Boundary::periodic);
     for (const std::size_t rows : {1u, 256u}) {
-      const Pyramid empty = transform.without_details(Grid{rows == 1 ? 1u : 64u, 64, 1, std::vector<double>(rows == 1 ? 64 : 4096)}, 2);
+      const Pyramid empty =
+          transform.without_details(Grid{rows == 1 ? 1u : 64u, 64, 1, std::vector<double>(rows == 1 ? 64 : 4096)}, 2);
       const std::vector<DetailNorms> norms = transform.detail_norms(empty);
       const auto norm_of = [&](std::size_t row, std::size_t column) {
         Pyramid pyramid = empty;

@@ -65,16 +65,20 @@ TEST(Prove, FourPointSchemeAtTheEndsOfItsRange) {
   EXPECT_EQ(outcome(s, "C1", "(0, 1/8]"), Outcome::certified);
   EXPECT_EQ(outcome(s, "C1", "[0, 1/8]"), Outcome::refuted);
   EXPECT_EQ(outcome(s, "C1", "[-1/100, 1/8]"), Outcome::refuted);
-  EXPECT_EQ(outcome(s, "not C1", "[193/1000, 1/4]"), Outcome::certified);
-  EXPECT_EQ(outcome(s, "not C1", "[19/100, 1/4]"), Outcome::undecided);  // w* lies inside; neither statement is true
+  // w* = 0.1927292...; norms of powers would need levels beyond any budget, a polytope does not.
+  EXPECT_EQ(outcome(s, "C1", "(0, 19172/100000]"), Outcome::certified);
+  EXPECT_EQ(outcome(s, "C1", "[1/1000, 192729/1000000]"), Outcome::certified);
+  EXPECT_EQ(outcome(s, "not C1", "[19273/100000, 1/4]"), Outcome::certified);
+  EXPECT_EQ(outcome(s, "not C1", "[19/100, 1/4]"), Outcome::refuted);  // w* lies inside
   EXPECT_EQ(outcome(s, "not C2"), Outcome::certified);
 }
 
 TEST(Prove, UndecidedSaysWhyAndHasNoCertificate) {
   const Scheme s = scheme(four_point, "w = [\"0\", \"1/4\"]");
-  const Verdict verdict = decide(s, "C1", "192/1000");
+  // Less than 10^-8 below w*.
+  const Verdict verdict = decide(s, "C1", "0.19272924");
   EXPECT_EQ(verdict.outcome, Outcome::undecided);
-  EXPECT_NE(verdict.reason.find("w = 24/125"), std::string::npos) << verdict.reason;
+  EXPECT_NE(verdict.reason.find("w = 4818231/25000000"), std::string::npos) << verdict.reason;
 }
 
 // Karciauskas & Peters 2013, Table 1.

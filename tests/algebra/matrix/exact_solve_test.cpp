@@ -11,7 +11,9 @@ namespace {
 
 TEST(ExactSolve, SolvesRandomSystemsAndKnowsSingularOnes) {
   std::mt19937 random(1);
-  const auto number = [&] { return Rational(static_cast<int>(random() % 41) - 20) / static_cast<int>(1 + random() % 9); };
+  const auto number = [&] {
+    return Rational(static_cast<int>(random() % 41) - 20) / static_cast<int>(1 + random() % 9);
+  };
   for (int trial = 0; trial < 20; ++trial) {
     const int n = 1 + trial % 6;
     RationalMatrix a(n, n), b(n, 3);

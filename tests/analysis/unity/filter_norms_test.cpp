@@ -61,8 +61,8 @@ TEST(FilterNorms, BoundsHoldOnAGridAndAreNarrow) {
 }
 
 TEST(FilterNorms, SquareRootsAreEnclosed) {
-  for (const Rational& x : {Rational(2), Rational(9) / 32, Rational(1) / 1000003, power(Rational(10), 30) + 1, Rational(49) / 64,
-                            power(Rational(7), -60)}) {
+  for (const Rational& x : {Rational(2), Rational(9) / 32, Rational(1) / 1000003, power(Rational(10), 30) + 1,
+                            Rational(49) / 64, power(Rational(7), -60)}) {
     const RationalBounds root = sqrt_bounds(x);
     EXPECT_LE(root.lower * root.lower, x);
     EXPECT_GE(root.upper * root.upper, x);

@@ -16,7 +16,8 @@ namespace {
 class Files : public testing::Test {
  protected:
   void SetUp() override {
-    directory_ = std::filesystem::path(LIMES_BINARY_DIR) / "image_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
+    directory_ = std::filesystem::path(LIMES_BINARY_DIR) / "image_test" /
+                 testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(directory_);
   }
   std::filesystem::path write(const std::string& name, const std::string& bytes) const {
@@ -69,7 +70,8 @@ TEST_F(Image_, WhatIsNoImageIsAnError) {
 
 TEST_F(Image_, PyramidFilesComeBackAndDamagedOnesDoNot) {
   const FilterBank bank = read_filter_file(LIMES_SOURCE_DIR "/examples/multiresolution/cdf-9-7.json");
-  PyramidFile file{{{4, 8, 3, std::vector<double>(96, 0.1)}, 2, Boundary::whole_sample}, DataKind::image, 16, false, bank};
+  PyramidFile file{
+      {{4, 8, 3, std::vector<double>(96, 0.1)}, 2, Boundary::whole_sample}, DataKind::image, 16, false, bank};
   const std::string bytes = to_bytes(file);
   const PyramidFile back = read_pyramid_file(write("x.pyramid", bytes));
   EXPECT_EQ(back.pyramid.grid.values, file.pyramid.grid.values);
@@ -81,7 +83,8 @@ TEST_F(Image_, PyramidFilesComeBackAndDamagedOnesDoNot) {
   EXPECT_TRUE(is_pyramid_file(directory_ / "x.pyramid"));
   EXPECT_FALSE(is_pyramid_file(write("other", "{}")));
   EXPECT_THROW(read_pyramid_file(directory_ / "other"), InputError);
-  for (const std::size_t length : {bytes.size() - 1, bytes.size() - 8, bytes.find('\n'), bytes.size() / 2, std::size_t{40}})
+  for (const std::size_t length :
+       {bytes.size() - 1, bytes.size() - 8, bytes.find('\n'), bytes.size() / 2, std::size_t{40}})
     EXPECT_THROW(read_pyramid_file(write("short", bytes.substr(0, length))), InputError) << length;
   EXPECT_THROW(read_pyramid_file(write("long", bytes + "x")), InputError);
   std::string damaged = bytes;

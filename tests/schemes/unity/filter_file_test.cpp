@@ -36,8 +36,9 @@ TEST(FilterFile, ErrorsAreOneLineWithTheFile) {
     return result.replace(at, from.size(), to);
   };
   for (const std::string& bad :
-       {std::string(), std::string("[]"), std::string("{"), replaced("limes-filters", "other"), replaced("\"version\": 1", "\"version\": 2"),
-        replaced("\"name\"", "\"nome\""), replaced("\"shift\": 0", "\"shift\": 1"), replaced("\"shift\": 0", "\"shift\": 2"),
+       {std::string(), std::string("[]"), std::string("{"), replaced("limes-filters", "other"),
+        replaced("\"version\": 1", "\"version\": 2"), replaced("\"name\"", "\"nome\""),
+        replaced("\"shift\": 0", "\"shift\": 1"), replaced("\"shift\": 0", "\"shift\": 2"),
         replaced("\"shift\": 0", "\"shift\": 0.5"), replaced("\"1/4\"", "\"1/0\""), replaced("\"1/4\"", "0.25"),
         replaced("\"1/4\"", "\"1/4\", \"0\""), replaced("\"1/4\"", "\"1/5\""), replaced("\"1/4\"", "\"nan\"")}) {
     try {

@@ -20,9 +20,10 @@ std::vector<Rational> read(std::initializer_list<const char*> texts) {
 
 const std::vector<Rational> chaikin = read({"1/4", "3/4", "3/4", "1/4"});
 const std::vector<Rational> cubic = read({"1/8", "1/2", "3/4", "1/2", "1/8"});
-const std::vector<Rational> interpolating_cinpact = read({"0.0240126", "0", "-0.129882", "0", "0.606154", "0.99909", "0.606154",
-                                                          "0", "-0.129882", "0", "0.0240126"});
-const std::vector<Rational> cinpact = read({"0.00561628", "0.206365", "0.482727", "0.610716", "0.482727", "0.206365", "0.00561628"});
+const std::vector<Rational> interpolating_cinpact =
+    read({"0.0240126", "0", "-0.129882", "0", "0.606154", "0.99909", "0.606154", "0", "-0.129882", "0", "0.0240126"});
+const std::vector<Rational> cinpact =
+    read({"0.00561628", "0.206365", "0.482727", "0.610716", "0.482727", "0.206365", "0.00561628"});
 const std::vector<Rational> asymmetric = read({"1/3", "-2", "5/7", "1", "0", "4", "1/9"});
 
 Multiresolution found(const std::vector<Rational>& mask, int extension, Arithmetic arithmetic = Arithmetic::exact,
@@ -54,7 +55,8 @@ TEST(MoltajiRunionsSamavati2017, ChaikinEquations43And48) {
 }
 
 TEST(MoltajiRunionsSamavati2017, ChaikinShiftedEquations55And56) {
-  const Multiresolution right = found(chaikin, 0, Arithmetic::exact, -2), left = found(chaikin, 0, Arithmetic::exact, 2);
+  const Multiresolution right = found(chaikin, 0, Arithmetic::exact, -2),
+                        left = found(chaikin, 0, Arithmetic::exact, 2);
   expect_printed(right.bank.q, {-1.30932, 0.0720339, 0.572034, 0.190678}, 5e-6);
   expect_printed(left.bank.q, {-0.190678, -0.572034, -0.0720339, 1.30932}, 5e-6);
   EXPECT_NEAR(error(right), 1.02588, 5e-6);
@@ -70,7 +72,8 @@ TEST(MoltajiRunionsSamavati2017, ChaikinExtendedEquation61) {
 }
 
 TEST(MoltajiRunionsSamavati2017, InterpolatingCinpactFilterIsOneOfTwoMirrorImages) {
-  const std::vector<double> printed{0.00876249, 0, -0.0473956, 0, -0.779718, 0.36458, 0.221193, 0, -0.0473956, 0, 0.00876249};
+  const std::vector<double> printed{0.00876249, 0, -0.0473956, 0, -0.779718, 0.36458,
+                                    0.221193,   0, -0.0473956, 0, 0.00876249};
   const Multiresolution shifted = found(interpolating_cinpact, 0, Arithmetic::exact, -2);
   expect_printed(shifted.bank.q, printed, 5e-7);
   const Multiresolution ours = found(interpolating_cinpact, 0);
@@ -169,8 +172,9 @@ TEST(Multiresolution, ThresholdStopsAtTheFirstExtensionThatReachesIt) {
 
 TEST(Multiresolution, DetailsOfConstantsAreTheAlternatingSum) {
   EXPECT_EQ(exact_detail_of_constants(found(chaikin, 2).bank), 0);
-  EXPECT_EQ(abs(exact_detail_of_constants(found(cinpact, 2).bank)), abs(read_rational("0.610716") - 2 * (read_rational("0.482727") +
-            read_rational("0.00561628") - read_rational("0.206365"))));
+  EXPECT_EQ(abs(exact_detail_of_constants(found(cinpact, 2).bank)),
+            abs(read_rational("0.610716") -
+                2 * (read_rational("0.482727") + read_rational("0.00561628") - read_rational("0.206365"))));
 }
 
 TEST(Multiresolution, Errors) {

@@ -34,8 +34,8 @@ TEST(Biorthogonality, CertificatesOfManyFiltersAreAccepted) {
   std::vector<std::pair<std::string, Mask>> masks;
   for (const char* name : {"chaikin", "b-spline-1", "b-spline-3", "b-spline-8", "deslauriers-dubuc-12"})
     masks.emplace_back(name, catalogue.load(name).mask);
-  masks.emplace_back("interpolating-cinpact", mask_of({"0.0240126", "0", "-0.129882", "0", "0.606154", "0.99909", "0.606154", "0",
-                                                       "-0.129882", "0", "0.0240126"}));
+  masks.emplace_back("interpolating-cinpact", mask_of({"0.0240126", "0", "-0.129882", "0", "0.606154", "0.99909",
+                                                       "0.606154", "0", "-0.129882", "0", "0.0240126"}));
   masks.emplace_back("asymmetric", mask_of({"1/3", "-2", "5/7", "1", "0", "4", "1/9"}));
   for (const auto& [name, mask] : masks) {
     for (const int extension : {0, 2, 10}) {
@@ -49,7 +49,8 @@ TEST(Biorthogonality, CertificatesOfManyFiltersAreAccepted) {
         EXPECT_LE(bounds.lower, bounds.upper);
         EXPECT_LE(bounds.upper - bounds.lower, power(Rational(10), -9) * (1 + bounds.upper));
       }
-      std::ofstream(directory / (name + ".multiresolution." + std::to_string(extension) + ".json")) << proof.certificate_json;
+      std::ofstream(directory / (name + ".multiresolution." + std::to_string(extension) + ".json"))
+          << proof.certificate_json;
     }
   }
 }

@@ -34,7 +34,7 @@ std::string escaped_code(std::string_view text) {
   return result;
 }
 
-constexpr const char* preamble = R"(\documentclass[a4paper,11pt]{article}
+constexpr std::string_view preamble = R"(\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
 \usepackage{textcomp,lmodern}
@@ -47,13 +47,13 @@ constexpr const char* preamble = R"(\documentclass[a4paper,11pt]{article}
 \newcommand{\limesplot}[2]{\IfFileExists{figures.pdf}{\includegraphics[page=#2]{figures.pdf}}{\input{figures/#1.pgf}}}
 )";
 
-constexpr const char* plot_style = R"(\pgfplotsset{compat=1.16,
+constexpr std::string_view plot_style = R"(\pgfplotsset{compat=1.16,
   every axis/.append style={font=\footnotesize, label style={font=\footnotesize}, title style={font=\small}, axis line style={black!60},
     tick style={black!60}, xlabel near ticks, ylabel near ticks},
   legend style={draw=none, font=\footnotesize}}
 )";
 
-constexpr const char* preamble_end = R"(\usepackage[hidelinks]{hyperref}
+constexpr std::string_view preamble_end = R"(\usepackage[hidelinks]{hyperref}
 \hypersetup{pdfproducer={Limes}, pdfcreator={Limes}}
 % Same input, same bytes: no clock and no path in the PDF.
 \ifdefined\pdftrailerid\pdftrailerid{}\pdfinfoomitdate=1 \pdfsuppressptexinfo=15 \fi
@@ -85,7 +85,7 @@ constexpr const char* preamble_end = R"(\usepackage[hidelinks]{hyperref}
 )";
 
 /// What a fragment needs from packages that the article may not have.
-constexpr const char* fragment_start = R"(% A proof by Limes, to be \input into an article after \begin{document}. It needs no package.
+constexpr std::string_view fragment_start = R"(% A proof by Limes, to be \input into an article after \begin{document}. It needs no package.
 \begingroup
 \providecommand{\toprule}{\hline}\providecommand{\midrule}{\hline}\providecommand{\bottomrule}{\hline}
 )";
@@ -111,9 +111,11 @@ class LatexWriter {
     if (options_.fragment) {
       blocks(document_.blocks);
       bibliography();
-      return fragment_start + without_packages(std::move(text_)) + "\\endgroup\n";
+      std::string fragment;
+      for (const std::string& part : {std::string(fragment_start), without_packages(std::move(text_)), std::string("\\endgroup\n")}) fragment += part;
+      return fragment;
     }
-    text_ = std::string(preamble) + plot_style + preamble_end;
+    for (const std::string_view part : {preamble, plot_style, preamble_end}) text_ += part;
     text_ += fmt::format("\\hypersetup{{pdftitle={{{}}}}}\n", escaped(document_.title));
     text_ += fmt::format("\\begin{{document}}\n\\begin{{center}}\n{{\\LARGE {}\\par}}\n", escaped(document_.title));
     for (const std::string& line : {inline_text(document_.subtitle), escaped(options_.date)}) {

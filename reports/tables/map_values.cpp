@@ -27,7 +27,7 @@ ComputedResult map_values(const TableCommand& command, const Stop& stop) {
   const ParameterMap map = map_parameters(scheme, claim.smoothness, region, options, {}, stop);
   if (map.interrupted) throw Interrupted("the map was interrupted");
   ComputedList certified, refuted;
-  for (const MapUnion& part : map_unions(map)) {
+  for (const MapUnion& part : map_unions(map.cells, scheme.parameter_names())) {
     ComputedList* list = part.verdict == Outcome::certified ? &certified : part.verdict == Outcome::refuted ? &refuted : nullptr;
     if (!list) continue;
     list->values.push_back(ComputedValue::exact(part.region[axis].lower));

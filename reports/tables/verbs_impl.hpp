@@ -15,4 +15,7 @@ ComputedResult derive_values(const TableCommand& command, const Stop& stop);
 /// matrix SCHEME --param .. --param gamma=..: modulus, re, im of the eigenvalues by falling modulus; size
 ComputedResult matrix_values(const TableCommand& command, const Stop& stop);
 
+/// map SCHEME --claim C2 --param w=[a,b] --tolerance T: the ends of the certified and of the refuted intervals, in turn; unknown_measure
+ComputedResult map_values(const TableCommand& command, const Stop& stop);
+
 }  // namespace limes::table_impl

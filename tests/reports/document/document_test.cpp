@@ -103,7 +103,8 @@ TEST(Bibliography, ReadsTheProjectsOwn) {
   EXPECT_EQ(all.at("DynLevinGregory1987").short_name, "Dyn, Levin & Gregory 1987");
   for (const auto& [key, reference] : all) {
     for (const Span& span : reference.full) {
-      if (span.kind != Span::Kind::mathematics) EXPECT_THAT(span.text, Not(testing::AnyOf(HasSubstr("{"), HasSubstr("\\")))) << key;
+      if (span.kind == Span::Kind::mathematics) continue;
+      EXPECT_THAT(span.text, Not(testing::AnyOf(HasSubstr("{"), HasSubstr("\\")))) << key;
     }
   }
 }

@@ -170,7 +170,8 @@ std::string without_tex(std::string_view text) {
   static const std::vector<std::pair<std::string, std::string>> accents{
       {"\\k{e}", "ę"}, {"\\v{c}", "č"}, {"\\\"{o}", "ö"}, {"\\\"{O}", "Ö"}, {"\\\"{u}", "ü"}, {"\\\"{a}", "ä"}, {"\\\"o", "ö"}, {"\\\"u", "ü"},
       {"\\\"a", "ä"},  {"\\'{e}", "é"}, {"\\'{a}", "á"},  {"\\'{o}", "ó"},  {"\\'{i}", "í"},  {"\\'{u}", "ú"},  {"\\'e", "é"},  {"\\`{e}", "è"},
-      {"\\o{}", "ø"},  {"\\ae{}", "æ"}, {"\\ss{}", "ß"},  {"{\\o}", "ø"},   {"{\\ae}", "æ"},  {"{\\ss}", "ß"},  {"\\&", "&"},   {"--", "–"}};
+      {"\\o{}", "ø"},  {"\\ae{}", "æ"}, {"\\ss{}", "ß"},  {"{\\o}", "ø"},   {"{\\ae}", "æ"},  {"{\\ss}", "ß"},  {"\\&", "&"},   {"--", "–"},
+      {"\\emph", ""}};
   std::string result(text);
   for (const auto& [tex, character] : accents) {
     for (std::size_t at = 0; (at = result.find(tex, at)) != std::string::npos; at += character.size()) result.replace(at, tex.size(), character);

@@ -192,7 +192,7 @@ class LatexWriter {
 
   void write_block(const Display& display) {
     while (text_.ends_with("\n\n")) text_.pop_back();
-    const auto lines = broken_lines(display, (options_.fragment ? 58 : 78) * (display.small ? 1.2 : 1));
+    const auto lines = broken_lines(display, (options_.fragment ? 58 : 78) * (display.small ? 1.12 : 1));
     const bool aligned = lines.size() > 1 || !lines.front().first.empty();
     if (display.small) text_ += "{\\footnotesize";
     // amsmath's environments; in a fragment arrays, one a page at most.

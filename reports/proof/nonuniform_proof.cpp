@@ -15,6 +15,8 @@ namespace {
 
 /// Letters of a factor that is displayed where it is used; longer ones go to the appendix, very long ones stay in the certificate.
 constexpr double longest_display = 400, longest_appendix = 9000;
+/// A coefficient of a power of lambda is not broken.
+constexpr double longest_term = 66;
 
 VariableNames with_ratio(const Scheme& scheme) {
   VariableNames names = scheme.parameter_names();
@@ -135,7 +137,9 @@ Blocks characteristic_text(const Scheme& scheme, const Claim& claim, const std::
     const std::vector<std::string> terms = lambda_terms(rest[k].polynomial, names);
     const double width = width_of(terms);
     const std::string name = fmt::format("r_{}", k + 1);
-    if (width <= longest_display) {
+    double widest = 0;
+    for (const std::string& term : terms) widest = std::max(widest, estimated_width(term));
+    if (width <= longest_display && widest <= longest_term) {
       chi.lines.push_back(sum_line(name + "(\\lambda)", terms));
       close(chi, ",");
       continue;

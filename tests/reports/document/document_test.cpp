@@ -43,7 +43,7 @@ TEST(RichText, ProseFindsSmoothnessAndPowers) {
 
 TEST(Display, BreaksBeforeTermsOnly) {
   const Display display{{{"b(z)", {"=a", "+bbbbbbbb", "+cccccccc", "+d"}}}};
-  const auto lines = broken_lines(display, 18);
+  const auto lines = broken_lines(display, 20);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0], std::make_pair(std::string("b(z)"), std::string("=a+bbbbbbbb")));
   EXPECT_EQ(lines[1], std::make_pair(std::string(), std::string("\\quad{}+cccccccc+d")));

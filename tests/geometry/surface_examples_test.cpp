@@ -5,6 +5,7 @@
 #include "schemes/catalogue.hpp"
 #include "schemes/nonstationary/angle.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +25,7 @@ struct Example {
 };
 
 TensorNet refined_example(const Example& example, MeshBoundary boundary, int levels) {
-  const NumberTable table = read_csv_file(std::string(LIMES_SOURCE_DIR) + "/examples/surfaces/" + example.name + ".csv");
+  const NumberTable table = read_csv_file(fmt::format("{}/examples/surfaces/{}.csv", LIMES_SOURCE_DIR, example.name));
   TensorNet net{example.rows, example.columns, {}, example.across_rows, example.across_columns};
   for (std::size_t i = 0; i < table.values.size(); i += 3) net.points.push_back({table.values[i], table.values[i + 1], table.values[i + 2]});
   const LevelWeights weights = approx_level_weights(*load_scheme("unified").surface,

@@ -63,7 +63,7 @@ TEST(ProofReport, EveryReferenceHasItsLabel) {
 }
 
 TEST(ProofReport, NonuniformSchemeWithItsCharacteristicPolynomial) {
-  const std::string text = latex_of(R"(name = "cr"
+  const std::string text = latex_of(R"toml(name = "cr"
 kind = "nonuniform"
 [parameters]
 w = ["0", "1/4"]
@@ -79,7 +79,7 @@ region = { w = "1/16" }
 [[claims]]
 claim = "not C1"
 region = { w = "1/4" }
-)");
+)toml");
   EXPECT_THAT(text, HasSubstr("is of size $7\\times7$"));
   EXPECT_THAT(text, HasSubstr("(\\lambda-1)(\\lambda-\\tfrac1{2})"));
   EXPECT_THAT(text, HasSubstr("For $w=1/16$ the scheme is $C^{1}$, for every knot sequence."));

@@ -29,7 +29,10 @@ std::string picture_kind(const fs::path& file) {
 }
 
 Rational tolerance_from(const std::string& text, const Box& region) {
-  if (text.empty()) return measure(region) / 1000;
+  if (text.empty()) {
+    const Rational whole = measure(region);
+    return whole > 0 ? whole / 1000 : Rational(1);  // a point is refused later
+  }
   try {
     const Rational tolerance = read_rational(text);
     if (tolerance > 0) return tolerance;

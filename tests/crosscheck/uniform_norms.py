@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """An independent recomputation of what the uniform provers rest on, by brute force in exact arithmetic.
 
 For a few masks of the catalogue it prints one JSON object {"format": 1, "schemes": [...]}; each entry holds

@@ -2,6 +2,7 @@
 
 #include "algebra/polynomial/box.hpp"
 
+#include <optional>
 #include <string_view>
 
 namespace limes {
@@ -12,5 +13,8 @@ namespace limes {
 /// holds for the angles that were asked for.
 /// \throws InputError with column
 Interval read_angles(std::string_view text);
+
+/// The middle of what read_angles makes of a single angle, to work with in floating point; nothing for an interval of angles.
+std::optional<Rational> single_angle(const Interval& angles);
 
 }  // namespace limes

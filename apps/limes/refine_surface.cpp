@@ -131,6 +131,8 @@ std::string content(const std::string& kind, const RefinedSurface& surface, cons
 }  // namespace
 
 int refine_surface(const Scheme& scheme, const RefineOptions& options, const Stop& stop) {
+  if (!scheme.surface->virtual_points)
+    throw InputError(fmt::format("{} gives rules around extraordinary points of its own; only schemes with virtual points can be refined", scheme.name));
   if (!options.knots.empty() || options.closed || options.comb) throw InputError("--knots, --closed and --comb are for polygons");
   const std::vector<OutputFile> outputs = outputs_by_ending(options.outputs, {"obj", "svg", "pgf", "png"});
   const RefinedSurface surface = refined(scheme, options, stop);

@@ -13,13 +13,6 @@ namespace {
 
 constexpr int max_level = 6;
 
-std::vector<mpq_class> mask_of(const RingScheme& scheme) {
-  std::vector<mpq_class> mask;
-  const auto number = [](const Polynomial& p) { return p.empty() ? mpq_class(0) : p.begin()->second; };
-  for (const Fraction& a : scheme.mask) mask.push_back(number(a.numerator) / number(a.denominator));
-  return mask;
-}
-
 Enclosure exact(double x) {
   if (!std::isfinite(x) || std::abs(x) > 1e9) throw Rejected{"map", "no eigenvector was found"};
   return Enclosure(mpq_class(x));
@@ -57,9 +50,9 @@ struct Pair {
 
 }  // namespace
 
-CharacteristicMap::CharacteristicMap(const RingScheme& scheme, const RingBlocks& blocks, int rings, std::optional<int> valence,
-                                     Budget& budget)
-    : scheme_(scheme), blocks_(blocks), limits_(mask_of(scheme), scheme.dual, budget) {
+CharacteristicMap::CharacteristicMap(const RingScheme& scheme, const CurveLimits& limits, int rings,
+                                     std::optional<int> valence, Budget& budget)
+    : scheme_(scheme), limits_(limits), blocks_(ring_blocks(scheme, rings, valence, budget)) {
   if (scheme.given_reach() >= limits_.reach()) throw Rejected{"map", "a rule of its own reaches into the regular annulus"};
   for (int a = rings + (scheme.dual ? 0 : 1); a <= limits_.outermost(); ++a)
     for (int b = 0; b <= a; ++b) outer_[{a, b}] = ring_row(scheme, {a, b}, valence, budget);

@@ -4,14 +4,17 @@
 #include "proofs/checker/curve_limits.hpp"
 #include "proofs/checker/ring.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace limes::checker {
 
 /// Theorem E2: proves that the characteristic map is regular and injective.
 class CharacteristicMap {
  public:
-  /// \param scheme its weights in n alone (limit_scheme())  \param valence for weights with n; none when the proof is for many
-  /// \throws Rejected at "map" when the curve scheme is not proved C^1 or a rule of its own meets the annulus
-  CharacteristicMap(const RingScheme& scheme, const RingBlocks& blocks, int rings, std::optional<int> valence,
+  /// \param scheme its weights in n alone (limit_scheme())  \param limits of its mask
+  /// \param valence for weights with n; none when the proof is for many valences
+  /// \throws Rejected at "map" when a rule of its own meets the annulus, and as ring_blocks()
+  CharacteristicMap(const RingScheme& scheme, const CurveLimits& limits, int rings, std::optional<int> valence,
                     Budget& budget);
 
   /// For all valences with cos(pi/n) in the interval, after `level` steps of subdivision of the annulus.
@@ -21,9 +24,20 @@ class CharacteristicMap {
  private:
   friend class MapProof;
   const RingScheme& scheme_;
-  const RingBlocks& blocks_;
-  CurveLimits limits_;
+  const CurveLimits& limits_;
+  RingBlocks blocks_;
   std::map<RingPoint, RingRow> outer_;  ///< the rules of the points beyond the rings, a >= b
 };
+
+/// For one valence, or for c = cos(2 pi/n) in [from, to]: only one eigenvalue of block 1 has a modulus above the separator.
+struct Separation {
+  int valence = 0;  ///< or 0
+  mpq_class from, to, separator;
+};
+
+/// The last part of theorem E2: the maps of the valences that are separated one by one, and of all from `first` on when there are
+/// separations for intervals, with their levels and intervals of cos(pi/n) in "map". \throws Rejected at "map", "proof" or "limits"
+void prove_characteristic_maps(const RingScheme& scheme, int rings, const std::vector<Separation>& separations, int first,
+                               const nlohmann::json& map, Budget& budget);
 
 }  // namespace limes::checker

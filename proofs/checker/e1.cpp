@@ -250,7 +250,8 @@ class AllValences {
   int from() const { return from_; }
 
   void prove() {
-    if (start_ < -1 || cosine(mpq_class(1, from_)).least() < start_ || cells_.back().to != 1)
+    least_cosine_ = cosine(mpq_class(1, from_)).least();
+    if (start_ < -1 || start_ > least_cosine_ || cells_.back().to != 1 || bound_ <= 0)
       fail("the cells do not cover the cosines of all valences");
     for (const Cell& cell : cells_) prove_cell(cell);
     // What is left of the other blocks: with a harmonic all of c_j, else c_j <= start.
@@ -268,8 +269,8 @@ class AllValences {
  private:
   void prove_cell(const Cell& cell) {
     const auto& [from, to, separator, low, high] = cell;
-    if (!(from < to && 0 < separator && separator < low && low < high && high < 1 && 0 < bound_ && bound_ <= low))
-      fail("a cell is not in order");
+    if (!(from < to && 0 < separator && separator < low && low < high && high < 1)) fail("a cell is not in order");
+    if (to > least_cosine_ && low < bound_) fail("the bound is not below all subdominant eigenvalues");
     const Family* leading = nullptr;
     for (const Family& f : spectra_.first) {
       const int inside = roots_inside(f, separator, from, to, budget_), degree = static_cast<int>(f.size()) - 1;
@@ -309,14 +310,16 @@ class AllValences {
       for (const mpq_class& c : (*leading_)[i]) at_one += c;
       if (at_one != ((*zero)[i].empty() ? mpq_class(0) : (*zero)[i][0])) fail("blocks 0 and 1 do not touch");
     }
-    const Enclosure speed = Enclosure(mpq_class(4 * x)) * pi() * pi();  // |c'(x)| = 2 pi sin 2 pi x <= 4 pi^2 x
     for (const auto& [from, to, separator, low, high] : cells_) {
       if (low <= touch) fail("the touching separator is not below all roots");
       const auto on_this = [&](const Family& f) { return on_box(f, low, high, from, to, budget_); };
       const Enclosure slope = absolute(on_this(derivative_by_second(*leading_))) / on_this(derivative_by_root(*leading_));
       const Enclosure by_root = on_box(derivative_by_root(*zero), low, high, 0, x, budget_);
       const Enclosure by_x = on_box(derivative_by_second(*zero), low, high, 0, x, budget_);
-      if (by_x.lower <= (absolute(by_root) * slope * speed).upper)
+      // F' = g_x + g_lambda lambda'(c) c'(x), and c'(x)^2 = 4 pi^2 (1 - c^2).
+      const mpq_class least_square = from < 0 && to > 0 ? mpq_class(0) : std::min(mpq_class(from * from), mpq_class(to * to));
+      const Enclosure drift = Enclosure(2) * pi() * absolute(by_root) * slope;
+      if (!by_x.is_positive() || !(drift * drift * Enclosure(1 - least_square) < by_x * by_x))
         fail("the second eigenvalue of block 0 is not proved to be less than the subdominant one");
     }
   }
@@ -324,7 +327,7 @@ class AllValences {
   const Spectra& spectra_;
   Budget& budget_;
   int from_ = 3;
-  mpq_class start_, bound_;
+  mpq_class start_, bound_, least_cosine_;
   std::optional<mpq_class> touch_;
   std::vector<Cell> cells_;
   const Family* leading_ = nullptr;

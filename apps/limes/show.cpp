@@ -8,6 +8,7 @@
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/surface/ring_expression.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -151,7 +152,12 @@ void print_surface(const Scheme& scheme) {
   line("kind", to_string(scheme.kind));
   if (!scheme.sources.empty()) line("source", fmt::format("{}", fmt::join(scheme.sources, ", ")));
   line("curve scheme", scheme.surface->curve);
-  line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
+  const RingRule& rings = scheme.surface->rings;
+  line("around", rings.dual ? "extraordinary faces (dual scheme)" : "extraordinary vertices (primal scheme)");
+  if (scheme.surface->virtual_points) line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
+  if (scheme.surface->virtual_points) return;
+  for (const auto& [point, terms] : rings.given)
+    line("new " + to_string(point), to_string(terms, scheme.surface->sequence.level_parameter));
 }
 
 }  // namespace

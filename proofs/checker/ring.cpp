@@ -293,7 +293,7 @@ RingBlocks ring_blocks(const RingScheme& scheme, int rings, std::optional<int> v
 
   // The reflection takes (a, b) of sector s to (b, a) of sector -s, and (a, 0) to (a, 0) of sector 1 - s. Let D be the permutation with
   // a factor omega on the spokes: D(omega) B(omega) = B(1/omega) D(omega).
-  const std::vector<std::size_t> image = mirrored_places(points, scheme.dual);
+  const std::vector<std::size_t>& image = blocks.image = mirrored_places(points, scheme.dual);
   const auto is_spoke = [&](std::size_t i) { return !scheme.dual && points[i].b == 0; };
   const auto zero_image = [&](std::size_t i) { return i < shift ? i : image[i - shift] + shift; };
   for (std::size_t i = 0; i < size + shift; ++i)
@@ -313,7 +313,8 @@ RingBlocks ring_blocks(const RingScheme& scheme, int rings, std::optional<int> v
   return blocks;
 }
 
-std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matrix, Budget& budget) {
+std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matrix, const std::vector<std::size_t>& image,
+                                                         Budget& budget) {
   const std::size_t size = matrix.size;
   std::vector<std::vector<bool>> reach(size, std::vector<bool>(size));  // Warshall
   budget.work(20. * static_cast<double>(size * size * size));
@@ -329,7 +330,8 @@ std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matri
     if (done[start]) continue;
     std::vector<std::size_t> part;
     for (std::size_t i = start; i < size; ++i)
-      if (reach[start][i] && reach[i][start]) part.push_back(i), done[i] = true;
+      if ((reach[start][i] && reach[i][start]) || (reach[image[start]][i] && reach[i][image[start]]))
+        part.push_back(i), done[i] = true;
     // Faddeev and LeVerrier: M_1 = A, c_{d-k} = -trace(M_k) / k, M_{k+1} = A (M_k + c_{d-k}).
     const std::size_t d = part.size();
     std::vector<Laurent> coefficients(d + 1), current(d * d);

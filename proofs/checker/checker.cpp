@@ -110,6 +110,7 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"JSR", check_joint_spectral_radius},
     {"U3", check_hoelder_exponent},
     {"E1", check_e1},
+    {"E2", check_e1},
 };
 
 std::string prove(std::string_view text) {

@@ -4,6 +4,7 @@
 // eigenvalue of block 0, blocks 1 and n - 1 have a real eigenvalue lambda in (0, 1), both are simple, and all others are less than
 // lambda in modulus. For one n, a number separates these; for all n, lambda grows with c = cos(2 pi j/n).
 #include "proofs/checker/certificate.hpp"
+#include "proofs/checker/characteristic_map.hpp"
 #include "proofs/checker/enclosure.hpp"
 #include "proofs/checker/json.hpp"
 #include "proofs/checker/ring.hpp"
@@ -248,6 +249,10 @@ class AllValences {
   }
 
   int from() const { return from_; }
+  /// Of block 1, for theorem E2.
+  void append_to(std::vector<Separation>& separations) const {
+    for (const Cell& cell : cells_) separations.push_back({0, cell.from, cell.to, cell.separator});
+  }
 
   void prove() {
     least_cosine_ = cosine(mpq_class(1, from_)).least();
@@ -348,23 +353,27 @@ std::string check_e1(const Json& json, Budget& budget) {
   reader.is_first("verdict", "certified", "certified");
   const RingScheme scheme = read_ring_scheme(json["scheme"], budget);
   const Reader claim(json["claim"], "claim", "the claim", {"statement", "valence"});
-  claim.is_first("statement", "spectral-condition", "spectral-condition");
+  const bool is_smooth = claim.is_first("statement", "C1", "spectral-condition");
+  if (is_smooth != (json["theorem"] == "E2")) claim.fail("is not of this theorem");
   const Valences claimed = read_valences(claim);
 
   std::vector<std::string> keys{"rings", "level", "valences"};
   const Json& proof_json = json["proof"];
   const bool has_all = proof_json.is_object() && proof_json.contains("all");
   if (has_all) keys.emplace_back("all");
+  if (is_smooth) keys.emplace_back("map");
   const Reader proof(proof_json, "proof", "the proof", keys);
   const int rings = proof.integer(proof.at("rings"), "rings", 1, 8);
   prove_regular_part(scheme, rings, proof.integer(proof.at("level"), "level", 1, 24), budget);
 
   int next = claimed.first;
+  std::vector<Separation> separations;
   for (const Json& entry : proof.list("valences", 0, max_valence)) {
     const Reader own(entry, "proof", "a valence of the proof", {"valence", "separator"});
     const int n = own.integer(own.at("valence"), "valence", 3, max_valence);
     if (n != next++) own.fail("is not the next one");
     const mpq_class separator = read_number(own, own.at("separator"), "separator", budget);
+    separations.push_back({n, 0, 0, separator});
     try {
       prove_valence(spectra(scheme, rings, n, budget), n, separator, budget);
     } catch (const Rejected& rejected) {
@@ -378,9 +387,12 @@ std::string check_e1(const Json& json, Budget& budget) {
     AllValences for_all(all, proof.at("all"), budget);
     if (for_all.from() != next) throw Rejected{"proof", "the proof is not about the claimed valences"};
     for_all.prove();
+    for_all.append_to(separations);
   }
-  return "certified: " + scheme.name + " satisfies the spectral condition at extraordinary " +
-         (scheme.dual ? "faces" : "vertices") + " of " + shown(claimed) + " (theorem E1)";
+  if (is_smooth) prove_characteristic_maps(scheme, rings, separations, next, proof.at("map"), budget);
+  return "certified: " + scheme.name + (is_smooth ? " is C1 for almost every net" : " satisfies the spectral condition") +
+         " at extraordinary " + (scheme.dual ? "faces" : "vertices") + " of " + shown(claimed) +
+         (is_smooth ? " (theorem E2)" : " (theorem E1)");
 }
 
 }  // namespace limes::checker

@@ -29,7 +29,7 @@ std::string check_s2(const nlohmann::json& certificate, Budget& budget);
 /// JSR: bounds of, or the exact, joint spectral radius of a family of rational matrices.
 std::string check_joint_spectral_radius(const nlohmann::json& certificate, Budget& budget);
 
-/// E1: the spectral condition of a surface scheme at its extraordinary vertices.
+/// E1: the spectral condition of a surface scheme at its extraordinary vertices; E2: C^1 there, by its characteristic maps.
 std::string check_e1(const nlohmann::json& certificate, Budget& budget);
 
 /// U3: bounds of the Hoelder exponent of a uniform scheme at one parameter value.

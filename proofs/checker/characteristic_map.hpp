@@ -2,7 +2,7 @@
 #pragma once
 
 #include "proofs/checker/curve_limits.hpp"
-#include "proofs/checker/ring.hpp"
+#include "proofs/checker/vertex.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -27,12 +27,6 @@ class CharacteristicMap {
   const CurveLimits& limits_;
   RingBlocks blocks_;
   std::map<RingPoint, RingRow> outer_;  ///< the rules of the points beyond the rings, a >= b
-};
-
-/// For one valence, or for c = cos(2 pi/n) in [from, to]: only one eigenvalue of block 1 has a modulus above the separator.
-struct Separation {
-  int valence = 0;  ///< or 0
-  mpq_class from, to, separator;
 };
 
 /// The last part of theorem E2: the maps of the valences that are separated one by one, and of all from `first` on when there are

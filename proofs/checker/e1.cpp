@@ -3,49 +3,14 @@
 // Theorem E1: the spectral condition at an isolated extraordinary vertex or face of valence n (Reif 1995; Peters & Reif 2008): 1 is an
 // eigenvalue of block 0, blocks 1 and n - 1 have a real eigenvalue lambda in (0, 1), both are simple, and all others are less than
 // lambda in modulus. For one n, a number separates these; for all n, lambda grows with c = cos(2 pi j/n).
-#include "proofs/checker/certificate.hpp"
-#include "proofs/checker/characteristic_map.hpp"
 #include "proofs/checker/enclosure.hpp"
 #include "proofs/checker/json.hpp"
-#include "proofs/checker/ring.hpp"
-#include "proofs/checker/theorems.hpp"
+#include "proofs/checker/vertex.hpp"
 
 namespace limes::checker {
 namespace {
 
-constexpr int max_valence = 1000;
-
 [[noreturn]] void fail(const std::string& why) { throw Rejected{"spectrum", why}; }
-
-/// The valences first, first + 1, .., last; without a last one all from the first on.
-struct Valences {
-  int first = 3;
-  std::optional<int> last;
-};
-
-/// "5", "[3, 50]" or "[3, inf)".
-Valences read_valences(const Reader& claim) {
-  const std::string& text = claim.text(claim.at("valence"), "valence");
-  const auto number = [&](std::string_view digits) {
-    const bool fits = !digits.empty() && digits.size() <= 4 && std::all_of(digits.begin(), digits.end(), [](char c) {
-      return c >= '0' && c <= '9';
-    });
-    const int n = fits ? std::stoi(std::string(digits)) : 0;
-    if (n < 3 || n > max_valence) claim.fail("needs valences from 3 to " + std::to_string(max_valence));
-    return n;
-  };
-  const std::string_view all = text;
-  if (!all.starts_with('[')) return {number(all), number(all)};
-  const auto comma = all.find(", ");
-  if (comma == std::string::npos || (!all.ends_with(']') && !all.ends_with(", inf)")))
-    claim.fail("needs a valence n, [n, m] or [n, inf)");
-  const Valences result{number(all.substr(1, comma - 1)), all.ends_with(']')
-                                                              ? std::optional(number(all.substr(comma + 2, all.size() - comma - 3)))
-                                                              : std::nullopt};
-  if (result.last ? result.first >= *result.last : all.substr(comma) != ", inf)")
-    claim.fail("has valences that are not in order");
-  return result;
-}
 
 mpq_class read_number(const Reader& reader, const Json& json, const std::string& what, Budget& budget) {
   const std::string& text = reader.text(json, what);
@@ -249,10 +214,7 @@ class AllValences {
   }
 
   int from() const { return from_; }
-  /// Of block 1, for theorem E2.
-  void append_to(std::vector<Separation>& separations) const {
-    for (const Cell& cell : cells_) separations.push_back({0, cell.from, cell.to, cell.separator});
-  }
+  const std::vector<Cell>& cells() const { return cells_; }
 
   void prove() {
     least_cosine_ = cosine(mpq_class(1, from_)).least();
@@ -338,61 +300,34 @@ class AllValences {
   const Family* leading_ = nullptr;
 };
 
-std::string shown(const Valences& valences) {
-  const std::string first = std::to_string(valences.first);
-  if (!valences.last) return valences.first == 3 ? "all valences" : "all valences from " + first + " on";
-  return *valences.last == valences.first ? "valence " + first
-                                          : "the valences " + first + " to " + std::to_string(*valences.last);
-}
-
 }  // namespace
 
-std::string check_e1(const Json& json, Budget& budget) {
-  const Reader reader(json, "format", "the certificate",
-                      {"format", "version", "scheme", "claim", "verdict", "theorem", "proof"});
-  reader.is_first("verdict", "certified", "certified");
-  const RingScheme scheme = read_ring_scheme(json["scheme"], budget);
-  const Reader claim(json["claim"], "claim", "the claim", {"statement", "valence"});
-  const bool is_smooth = claim.is_first("statement", "C1", "spectral-condition");
-  if (is_smooth != (json["theorem"] == "E2")) claim.fail("is not of this theorem");
-  const Valences claimed = read_valences(claim);
-
-  std::vector<std::string> keys{"rings", "level", "valences"};
-  const Json& proof_json = json["proof"];
-  const bool has_all = proof_json.is_object() && proof_json.contains("all");
-  if (has_all) keys.emplace_back("all");
-  if (is_smooth) keys.emplace_back("map");
-  const Reader proof(proof_json, "proof", "the proof", keys);
-  const int rings = proof.integer(proof.at("rings"), "rings", 1, 8);
-  prove_regular_part(scheme, rings, proof.integer(proof.at("level"), "level", 1, 24), budget);
-
-  int next = claimed.first;
-  std::vector<Separation> separations;
-  for (const Json& entry : proof.list("valences", 0, max_valence)) {
+std::vector<Separation> prove_spectral_condition(const RingScheme& scheme, int rings, const Valences& valences,
+                                                 const Json& one_by_one, const Json* all, Budget& budget) {
+  std::vector<Separation> result;
+  int next = valences.first;
+  for (const Json& entry : one_by_one) {
     const Reader own(entry, "proof", "a valence of the proof", {"valence", "separator"});
     const int n = own.integer(own.at("valence"), "valence", 3, max_valence);
     if (n != next++) own.fail("is not the next one");
     const mpq_class separator = read_number(own, own.at("separator"), "separator", budget);
-    separations.push_back({n, 0, 0, separator});
     try {
       prove_valence(spectra(scheme, rings, n, budget), n, separator, budget);
     } catch (const Rejected& rejected) {
       throw Rejected{rejected.step, "valence " + std::to_string(n) + ": " + rejected.reason};
     }
+    result.push_back({n, 0, 0, separator});
   }
-  if (has_all == claimed.last.has_value() || (claimed.last && next != *claimed.last + 1))
+  if (valences.last ? next != *valences.last + 1 : !all)
     throw Rejected{"proof", "the proof is not about the claimed valences"};
-  if (has_all) {
-    const Spectra all = spectra(scheme, rings, std::nullopt, budget);
-    AllValences for_all(all, proof.at("all"), budget);
-    if (for_all.from() != next) throw Rejected{"proof", "the proof is not about the claimed valences"};
-    for_all.prove();
-    for_all.append_to(separations);
+  if (all) {
+    const Spectra together = spectra(scheme, rings, std::nullopt, budget);
+    AllValences proof(together, *all, budget);
+    if (proof.from() != next) throw Rejected{"proof", "the proof is not about the claimed valences"};
+    proof.prove();
+    for (const Cell& cell : proof.cells()) result.push_back({0, cell.from, cell.to, cell.separator});
   }
-  if (is_smooth) prove_characteristic_maps(scheme, rings, separations, next, proof.at("map"), budget);
-  return "certified: " + scheme.name + (is_smooth ? " is C1 for almost every net" : " satisfies the spectral condition") +
-         " at extraordinary " + (scheme.dual ? "faces" : "vertices") + " of " + shown(claimed) +
-         (is_smooth ? " (theorem E2)" : " (theorem E1)");
+  return result;
 }
 
 }  // namespace limes::checker

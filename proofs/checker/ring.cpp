@@ -139,7 +139,7 @@ int RingScheme::given_reach() const {
 RingScheme read_ring_scheme(const Json& json, Budget& budget) {
   std::vector<std::string> keys{"kind", "name", "dual", "first_index", "mask", "rules"};
   const bool has_levels = json.is_object() && json.contains("level_parameter");
-  if (has_levels) keys.emplace_back("level_parameter");
+  if (has_levels) keys.insert(keys.end(), {"level_parameter", "parameters", "type"});
   const Reader reader(json, "scheme", "the scheme", keys);
   reader.is_first("kind", "surface", "surface");
   RingScheme scheme;
@@ -152,9 +152,13 @@ RingScheme read_ring_scheme(const Json& json, Budget& budget) {
     reader.fail("needs a name of letters, digits, '-', '_' and '.'");
   if (!reader.at("dual").is_boolean()) reader.fail("needs true or false as dual");
   scheme.dual = reader.at("dual").get<bool>();
-  if (has_levels) scheme.variables.push_back(reader.text(reader.at("level_parameter"), "level_parameter"));
-  if (has_levels && (!is_name(scheme.variables[0]) || scheme.variables[0] == "n"))
-    reader.fail("needs a name other than n as level_parameter");
+  if (has_levels) {
+    scheme.variables.push_back(reader.text(reader.at("level_parameter"), "level_parameter"));
+    scheme.angle = reader.text(reader.list("parameters", 1, 1)[0], "the angle");
+    scheme.hyperbolic = !reader.is_first("type", "trigonometric", "hyperbolic");
+    if (!is_name(scheme.variables[0]) || scheme.variables[0] == "n" || !is_name(scheme.angle))
+      reader.fail("needs names as parameter and level_parameter, the latter not n");
+  }
   scheme.variables.emplace_back("n");
 
   for (const Json& text : reader.list("mask", 1, 32))
@@ -180,7 +184,7 @@ RingScheme read_ring_scheme(const Json& json, Budget& budget) {
 }
 
 RingScheme limit_scheme(const RingScheme& scheme, Budget& budget) {
-  if (scheme.variables.size() == 1) return scheme;
+  if (!scheme.has_levels()) return scheme;
   RingScheme result = scheme;
   result.variables = {"n"};
   const auto substituted = [&](Fraction& x) {

@@ -39,9 +39,12 @@ struct RingScheme {
   int last = 0;  ///< the mask's indices run from -last (dual: 1 - last) to last
   /// "n" and, for a nonstationary scheme, before it the level parameter.
   std::vector<std::string> variables;
+  std::string angle;  ///< of a nonstationary scheme, the parameter theta: mu_k = cos x_k (hyperbolic: cosh x_k), x_k = theta 2^{-(k+1)}
+  bool hyperbolic = false;
   std::vector<Fraction> mask;  ///< in the scheme's variables; n does not occur
   std::map<RingPoint, std::vector<RingTerm>> given;
 
+  bool has_levels() const { return variables.size() > 1; }
   int first() const { return dual ? 1 - last : -last; }
   /// The greatest coordinate of a point with a rule of its own; -1 without one.
   int given_reach() const;

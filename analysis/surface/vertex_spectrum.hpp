@@ -5,8 +5,8 @@
 #include "analysis/surface/vertex_matrix.hpp"
 
 #include <functional>
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,18 +33,20 @@ struct LevelParameter {
   std::function<Interval(int bits)> enclosure;
 };
 
-/// Eigenvalues at one level parameter for any valence. Characteristic polynomials are split into irreducible factors over Q (mu exact), or into
+/// Eigenvalues for any level parameter and valence. Characteristic polynomials are split into irreducible factors over Q (mu exact), or into
 /// square-free ones over Q(mu), as polynomials in lambda and c; their roots at c = cos(2 pi j/n) are enclosed, and told apart by
 /// disjoint enclosures, or, for exact mu, by an exact square-free decomposition over Q(c).
 class VertexSpectrum {
  public:
-  /// \throws InputError when the rules are not mirror symmetric, or the rings not invariant; DomainError at a pole
-  VertexSpectrum(RingRule rule, int rings, LevelParameter mu);
+  /// \param rings 0: the least number that works
+  /// \throws InputError when the rules are not mirror symmetric, or the rings not invariant
+  explicit VertexSpectrum(RingRule rule, int rings = 0);
   ~VertexSpectrum();
 
   /// All eigenvalues by falling modulus; where enclosures of moduli overlap, by rising Fourier index, then real ones first, then by falling real part.
-  /// Enclosures are 2^-bits wide relative to 1. \pre n >= 3, 16 <= bits <= 1024
-  std::vector<VertexEigenvalue> eigenvalues(int n, int bits = 64, const Stop& stop = Stop()) const;
+  /// Enclosures are about 2^-bits wide, if nothing is in a cluster. \pre n >= 3, 16 <= bits <= 1024
+  /// \throws DomainError at a pole
+  std::vector<VertexEigenvalue> eigenvalues(int n, const LevelParameter& level, int bits = 64, const Stop& stop = Stop()) const;
   /// The number of eigenvalues of the whole matrix: its size.
   int size(int n) const;
   int rings() const;
@@ -53,8 +55,5 @@ class VertexSpectrum {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// The minimal polynomial over Q of cos(2 pi j/n). \pre n >= 1
-Polynomial minimal_polynomial_of_cosine(int n, int j);
 
 }  // namespace limes

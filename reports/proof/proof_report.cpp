@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace limes {
 namespace {
 
@@ -72,11 +74,12 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   state.shown.clear();
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
-  if (options.figures && (scheme.kind == SchemeKind::uniform || scheme.insertion_rule)) append(blocks, scheme_figures(reported, options.polygons, stop));
+  if (options.figures) append(blocks, scheme_figures(reported, options, stop));
   for (const DecidedClaim& decided : reported.claims) {
     stop.check();
     append(blocks, decided_claim(scheme, decided, state, stop));
   }
+  append(blocks, exponent_text(reported));
   return blocks;
 }
 
@@ -96,7 +99,8 @@ Document proof_report(const std::vector<ReportedScheme>& schemes, const ProofRep
   Document document{.title = options.title, .subtitle = {}, .blocks = {}};
   if (options.front_matter) append(document.blocks, summary(schemes));
   document.blocks.push_back(Heading{1, rich("What is proved, and how"), "theorems"});
-  append(document.blocks, theorem_statements(used_theorems(schemes)));
+  const bool exponents = std::any_of(schemes.begin(), schemes.end(), [](const ReportedScheme& reported) { return !reported.exponents.empty(); });
+  append(document.blocks, theorem_statements(used_theorems(schemes), exponents));
   ReportState state;
   for (const ReportedScheme& reported : schemes) append(document.blocks, section(reported, options, state, stop));
   if (!state.appendix.empty()) {

@@ -281,7 +281,7 @@ class MapSearch {
     if (denominator(point[axis]) <= short_denominator && seems_at(point) == Seems::critical && is_inside(interval, point[axis])) {
       return {point[axis]};
     }
-    const Rational margin = options_.tolerance / 64;
+    const Rational margin = options_.tolerance / 20;
     std::vector<Rational> cuts;
     for (const Rational& cut : {simplest_between(crossing - 2 * margin, crossing - margin),
                                 simplest_between(crossing + margin, crossing + 2 * margin)}) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double enough = 1 - 1e-10;
 /// What is nearer to 1 counts as 1.
-constexpr double least_gap = 1e-6;
+constexpr double least_gap = 1e-9;
 
 double approx_radius(const MatrixFamily& family, const Stop& stop) {
   return approx_leading_words(family, {10, 40}, 1e-9, stop).front().radius;
@@ -43,13 +43,6 @@ ContractionProver::Attempt ContractionProver::attempt(const Box& box) const {
   }
   const bool cheap = level && is_cheap(*level, box);
   if (cheap && proves_norm(*level, box)) return {ContractionWitness{*level}, {}, {}};
-  // Where the gap varies that much a polytope has too many vectors, and to find that out takes long.
-  constexpr double greatest_quotient = 20;
-  const std::optional<Gaps> gaps = cheap || is_point(box) ? std::nullopt : approx_gaps(box);
-  if (gaps && gaps->lower > least_gap && gaps->upper > least_gap &&
-      std::max(gaps->lower, gaps->upper) > greatest_quotient * std::min(gaps->lower, gaps->upper)) {
-    return {{}, "the contraction varies too much for one polytope", {}};
-  }
   if (std::optional<PolytopeWitness> polytope = find_polytope_on(box)) return {std::move(*polytope), {}, {}};
   if (level && !cheap && proves_norm(*level, box)) return {ContractionWitness{*level}, {}, {}};
   for (const std::vector<Rational>& point : resisting) {
@@ -118,13 +111,23 @@ bool ContractionProver::proves_norm(int level, const Box& box) const {
 
 std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& box) const {
   const std::optional<MatrixFamily> sections = section_hull(b_, denominator_, arity_, box);
-  constexpr int bits = 20;
-  static const Rational bound = 1 - power(Rational(2), -bits);
-  if (!sections || sections->front().rows() > limits_.max_polytope_dimension ||
-      approx_radius(*sections, stop_) >= 1 - std::ldexp(1, -bits)) {
-    return std::nullopt;
+  if (!sections || sections->front().rows() > limits_.max_polytope_dimension) return std::nullopt;
+  const double gap = 1 - approx_radius(*sections, stop_);
+  PolytopeLimits limits = limits_.polytope;
+  int bits = 20;
+  if (gap <= std::ldexp(1, 1 - bits)) {
+    bits = 27;
+    limits.precision = std::max(limits.precision, 60);
   }
-  std::optional<PolytopeNorm> norm = find_polytope(*sections, bound, limits_.polytope, stop_);
+  if (gap <= std::ldexp(1, -bits)) return std::nullopt;
+  // Where the gap varies much, many vectors would hardly be enough: smaller boxes are cheaper.
+  constexpr double greatest_quotient = 4;
+  constexpr std::size_t few_vectors = 120;
+  if (const std::optional<Gaps> gaps = approx_gaps(box);
+      gaps && std::max(gaps->lower, gaps->upper) > greatest_quotient * std::min(gaps->lower, gaps->upper)) {
+    limits.max_vectors = std::min(limits.max_vectors, few_vectors);
+  }
+  std::optional<PolytopeNorm> norm = find_polytope(*sections, 1 - power(Rational(2), -bits), limits, stop_);
   if (!norm) return std::nullopt;
   return PolytopeWitness{std::move(*norm)};
 }

@@ -1,6 +1,6 @@
 #include "analysis/surface/vertex_spectrum.hpp"
 
-#include "algebra/number/elementary.hpp"
+#include "algebra/error.hpp"
 #include "analysis/surface/cosine_field.hpp"
 #include "analysis/surface/spectrum_settings.hpp"
 #include "schemes/catalogue.hpp"
@@ -175,7 +175,7 @@ TEST(SpectrumSettings, AngleTypesAndErrors) {
   EXPECT_LT(mu.width(), Rational(1) / power(Rational(2), 95));
   for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
            {"theta=4"}, {"theta=1", "theta=1"}, {"mu=1", "theta=1"}, {"type=hyperbolic"}, {"type=cubic"}, {"nu=1"}, {"theta=[0,1]"}, {"theta"}})
-    EXPECT_THROW(spectrum_settings(scheme, bad), InputError) << bad.front();
+    { EXPECT_THROW(spectrum_settings(scheme, bad), InputError) << bad.front(); }
 }
 
 }  // namespace

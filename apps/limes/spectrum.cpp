@@ -85,7 +85,12 @@ int run_spectrum(const SpectrumOptions& options) {
       }
       const LevelParameter mu = levels.and_later ? settings.from_level(level) : settings.at_level(level);
       for (int n = first; n <= last; ++n) {
-        VertexSpectrumReport report{scheme.name, n, {}, mu.exact ? Interval::point(*mu.exact) : mu.enclosure(72), spectrum->rings(), spectrum->size(n), {}};
+        VertexSpectrumReport report;
+        report.scheme = scheme.name;
+        report.valence = n;
+        report.mu = mu.exact ? Interval::point(*mu.exact) : mu.enclosure(72);
+        report.rings = spectrum->rings();
+        report.size = spectrum->size(n);
         if (!(one_level && options.level.empty())) report.level = level;
         report.and_later = levels.and_later;
         report.eigenvalues = spectrum->eigenvalues(n, mu, 64, session.stop());

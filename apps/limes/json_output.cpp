@@ -272,6 +272,7 @@ std::string spectrum_json(const std::vector<VertexSpectrumReport>& reports, bool
     results.push_back({{"scheme", report.scheme},
                        {"valence", report.valence},
                        {"level", report.level ? Json(*report.level) : Json(nullptr)},
+                       {"and_later", report.and_later},
                        {"mu", ends(report.mu)},
                        {"mu_decimal", enclosure_json(report.mu)},
                        {"rings", report.rings},

@@ -50,6 +50,7 @@ struct VertexSpectrumReport {
   int valence = 3;
   /// Nothing when every level is the same.
   std::optional<int> level;
+  bool and_later = false;
   Interval mu;
   int rings = 1;
   int size = 0;

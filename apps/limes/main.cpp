@@ -106,7 +106,7 @@ int run(int argc, char** argv) {
   CLI::App* spectrum_verb = app.add_subcommand("spectrum", "Eigenvalues of a surface scheme around a vertex or face of any valence, enclosed");
   spectrum_verb->add_option("scheme", spectrum.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   spectrum_verb->add_option("--valence", spectrum.valence, "Valence N >= 3, or N..M")->required()->type_name("N");
-  spectrum_verb->add_option("--level", spectrum.level, "Level K >= 0 (default: 0), or K..L")->type_name("K");
+  spectrum_verb->add_option("--level", spectrum.level, "Level K >= 0 (default: 0), K..L, or K.. for all from K on together")->type_name("K");
   spectrum_verb->add_option("--param", spectrum.parameters, "theta=pi/3, type=trigonometric|polynomial|hyperbolic, or mu=1 (default)")
       ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
   spectrum_verb->add_option("--rings", spectrum.rings, "Rings of control points (default: the least number that works)")

@@ -18,6 +18,12 @@ namespace {
 
 constexpr int largest_valence = 1000, largest_level = 200;
 
+/// Levels "3", "0..6", or "4..": all from 4 on together.
+struct Levels {
+  int first = 0, last = 0;
+  bool and_later = false;
+};
+
 /// "5" or "3..20".
 std::pair<int, int> read_range(const std::string& option, const std::string& text, int lower, int upper) {
   int first = 0, last = 0;
@@ -30,10 +36,17 @@ std::pair<int, int> read_range(const std::string& option, const std::string& tex
   return {first, last};
 }
 
+Levels read_levels(const std::string& text) {
+  if (text.empty()) return {};
+  const bool open = text.ends_with("..");
+  const auto [first, last] = read_range("--level", open ? text.substr(0, text.size() - 2) : text, 0, largest_level);
+  return {first, last, open};
+}
+
 std::string number(const Interval& x) { return to_string(ComputedValue{x, {}}); }
 
 void print(const VertexSpectrumReport& report) {
-  std::string place = report.level ? fmt::format("level {}, ", *report.level) : "";
+  std::string place = report.level ? fmt::format("level {}{}, ", *report.level, report.and_later ? " and all later ones" : "") : "";
   std::cout << fmt::format("{}, valence {}: {}mu = {}, {} eigenvalues on {} ring{}\n", report.scheme, report.valence, place, number(report.mu),
                            report.size, report.rings, report.rings == 1 ? "" : "s");
   TextTable table({{"eigenvalue", 32}, {"modulus", 16}, {"times", 5, TextTable::Align::right}, {"Fourier index", 14}, {"root of", 0}});
@@ -58,22 +71,28 @@ int run_spectrum(const SpectrumOptions& options) {
   const bool one_level = settings.mu && scheme.surface->sequence.first_levels.empty();
   if (settings.mu && !options.level.empty() && *settings.mu != 1)
     throw InputError("--level belongs to an angle: at a given level parameter there are no levels");
-  const auto [first_level, last_level] = options.level.empty() ? std::pair{0, 0} : read_range("--level", options.level, 0, largest_level);
+  const Levels levels = read_levels(options.level);
+  const int special = int(scheme.surface->sequence.first_levels.size());  // levels with rules of their own
+  if (levels.and_later && levels.first < special) throw InputError(fmt::format("--level {}: the first {} levels are of their own", options.level, special));
   std::vector<VertexSpectrumReport> reports;
   std::optional<VertexSpectrum> spectrum;
   int status = all_as_expected;
   try {
-    for (int level = first_level; level <= last_level; ++level) {
-      // The first levels may have rules of their own.
-      const int special = int(scheme.surface->sequence.first_levels.size());
+    for (int level = levels.first; level <= levels.last; ++level) {
       if (!spectrum || level <= special) {
         const bool limit = settings.mu && options.level.empty();
         spectrum.emplace(limit ? scheme.surface->rings : scheme.surface->rings_at_level(level), options.rings);
       }
-      const LevelParameter mu = settings.at_level(level);
+      const LevelParameter mu = levels.and_later ? settings.from_level(level) : settings.at_level(level);
       for (int n = first; n <= last; ++n) {
-        VertexSpectrumReport report{scheme.name, n, {}, mu.exact ? Interval::point(*mu.exact) : mu.enclosure(72), spectrum->rings(), spectrum->size(n), {}};
+        VertexSpectrumReport report;
+        report.scheme = scheme.name;
+        report.valence = n;
+        report.mu = mu.exact ? Interval::point(*mu.exact) : mu.enclosure(72);
+        report.rings = spectrum->rings();
+        report.size = spectrum->size(n);
         if (!(one_level && options.level.empty())) report.level = level;
+        report.and_later = levels.and_later;
         report.eigenvalues = spectrum->eigenvalues(n, mu, 64, session.stop());
         if (!options.json && !reports.empty()) std::cout << "\n";
         if (!options.json) print(report);

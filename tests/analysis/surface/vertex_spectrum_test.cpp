@@ -1,6 +1,6 @@
 #include "analysis/surface/vertex_spectrum.hpp"
 
-#include "algebra/number/elementary.hpp"
+#include "algebra/error.hpp"
 #include "analysis/surface/cosine_field.hpp"
 #include "analysis/surface/spectrum_settings.hpp"
 #include "schemes/catalogue.hpp"
@@ -136,6 +136,35 @@ TEST(VertexSpectrum, EnclosuresAtALevelAreNearThoseOfANearbyRationalParameter) {
   }
 }
 
+// The eigenvalues c/4 and -(4 c^2 - 1)/8 differ as polynomials in c, and are equal at n = 5, where c^2 = 1/4 - c/2.
+TEST(VertexSpectrum, EigenvaluesThatAreEqualAtOneValenceOnlyAreADoubleOneThere) {
+  const Scheme scheme = read_scheme(R"(
+name = "double"
+kind = "surface"
+[surface]
+curve = "b-spline-1"
+[surface.rules]
+"0,0" = "at(0,0)"
+"1,0" = "3/4*at(0,0) + 1/8*at(1,0,1) + 1/8*at(1,0,-1)"
+"1,1" = "11/8*at(0,0) - 1/8*at(1,1,2) - 1/8*at(1,1,-2) - 1/8*at(1,1)"
+)", "double.toml");
+  const VertexSpectrum spectrum(scheme.surface->rings);
+  for (const int n : {5, 7}) {
+    const std::vector<VertexEigenvalue> all = spectrum.eigenvalues(n, limit);
+    EXPECT_EQ(total(all), 1 + 2 * n);
+    for (int j = 1; 2 * j < n; ++j) {
+      std::vector<int> multiplicities;
+      for (const VertexEigenvalue& e : all) {
+        if (e.fourier != j) continue;
+        EXPECT_FALSE(e.is_cluster);
+        multiplicities.push_back(e.multiplicity);
+        if (n == 5) { EXPECT_NEAR(approx_double(e.re.midpoint()), std::cos(2 * M_PI * j / n) / 4, 1e-15); }
+      }
+      EXPECT_EQ(multiplicities, n == 5 ? std::vector<int>{4} : (std::vector<int>{2, 2}));
+    }
+  }
+}
+
 TEST(VertexSpectrum, ASpokeRuleThatIsNotMirrorSymmetricIsRefused) {
   RingRule rule = load_scheme("doo-sabin").surface->rings;
   rule.given.at({0, 0}).push_back({{0, 0}, 1, -1, RationalFunction::constant(2, Rational(1) / 9)});
@@ -175,7 +204,7 @@ TEST(SpectrumSettings, AngleTypesAndErrors) {
   EXPECT_LT(mu.width(), Rational(1) / power(Rational(2), 95));
   for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
            {"theta=4"}, {"theta=1", "theta=1"}, {"mu=1", "theta=1"}, {"type=hyperbolic"}, {"type=cubic"}, {"nu=1"}, {"theta=[0,1]"}, {"theta"}})
-    EXPECT_THROW(spectrum_settings(scheme, bad), InputError) << bad.front();
+    { EXPECT_THROW(spectrum_settings(scheme, bad), InputError) << bad.front(); }
 }
 
 }  // namespace

@@ -41,10 +41,11 @@ class ApproxCharacteristicMap {
   /// Phi at the grid points (a, b) 2^-level of the half annulus, 0 <= b <= a, as data after some more subdivisions: result[a - reach 2^level][b].
   std::vector<std::vector<std::complex<double>>> samples(int level) const;
 
- private:
   struct Pair {
     ApproxMapNumber x, y;
   };
+
+ private:
   struct Field;
   Pair at(int a, int b) const { return half_plane_[std::size_t(a)][std::size_t(b + reach())]; }
   Field field(const std::function<ApproxMapNumber(int, int)>& data, bool by_a, bool by_b, int level) const;

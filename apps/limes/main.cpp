@@ -46,6 +46,10 @@ int run(int argc, char** argv) {
   CLI::App* show_verb = app.add_subcommand("show", "Show a scheme: mask, symbol, sum rules, claims");
   show_verb->add_option("scheme", show.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   show_verb->add_flag("--latex", show.latex, "Print the mask and the symbol's factorisation in LaTeX");
+  show_verb->add_option("--characteristic-map", show.characteristic_map, "Draw the characteristic map of a surface scheme at this valence into the files of -o")
+      ->type_name("N")
+      ->check(CLI::Range(3, 1000));
+  show_verb->add_option("-o,--output", show.outputs, "With --characteristic-map: .svg, .pgf or .png files")->type_name("FILE");
   add_common(*show_verb, show);
 
   VerifyOptions verify;

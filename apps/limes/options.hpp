@@ -24,6 +24,8 @@ struct ListOptions : CommonOptions {};
 struct ShowOptions : CommonOptions {
   std::string scheme;
   bool latex = false;
+  std::optional<int> characteristic_map;  // the valence
+  std::vector<std::filesystem::path> outputs;
 };
 
 struct VerifyOptions : CommonOptions {

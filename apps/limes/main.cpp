@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
   verify_verb->add_option("--claim", verify.claim, "Decide this claim, e.g. C2 or \"not C3\", instead of the file's own");
   verify_verb->add_option("--param", verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]")
       ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  verify_verb->add_option("--valence", verify.valence, "Valences of a --claim about a surface scheme: N, N..M, \"[N, inf)\"; default: all")->type_name("RANGE");
   verify_verb->add_option("--certificates", verify.certificates, "Directory for the certificates")
       ->type_name("DIR")->capture_default_str();
   add_common(*verify_verb, verify);

@@ -294,8 +294,14 @@ Claim read_claim(TableReader reader, const Scheme& scheme) {
   }
   claim.line = reader.line();
   claim.region = scheme.parameter_box();
-  if (scheme.sequence) read_claim_type(reader, *scheme.sequence, claim);
+  if (const MaskSequence* sequence = scheme.level_sequence()) read_claim_type(reader, *sequence, claim);
   if (claim.space && !scheme.sequence) reader.fail("only nonstationary schemes have claims about reproduction and generation");
+  if (claim.subject == ClaimSubject::vertex_spectrum && !scheme.surface) reader.fail("only surface schemes have claims about a spectral condition");
+  if (scheme.surface) {
+    claim.valences = ValenceRange{};
+    if (const toml::node* node = reader.find("valence"))
+      claim.valences = reader.located(*node, "valence", [&] { return read_valences(reader.text(*node, "valence")); });
+  }
   const Box widest = claim.region;
   if (const toml::node* node = reader.find("region")) {
     TableReader region = reader.table(*node, "region");

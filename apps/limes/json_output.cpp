@@ -26,12 +26,13 @@ Json intervals_json(const Scheme& scheme, const Box& region) { return region_to_
 
 Json claim_json(const Scheme& scheme, const Claim& claim) {
   Json json{{"claim", statement(claim)},
-            {"smoothness", claim.space ? Json(nullptr) : Json(claim.smoothness)},
+            {"smoothness", claim.space || claim.subject == ClaimSubject::vertex_spectrum ? Json(nullptr) : Json(claim.smoothness)},
             {"region", region_json(scheme, claim.region)},
             {"intervals", intervals_json(scheme, claim.region)},
             {"expected", to_string(claim.expected)},
             {"source", claim.source}};
-  if (scheme.sequence) json["type"] = to_string(claim.type);
+  if (claim.valences) json["valence"] = to_string(*claim.valences);
+  if (scheme.level_sequence()) json["type"] = to_string(claim.type);
   if (!claim.erratum.empty()) json["erratum"] = claim.erratum;
   return json;
 }

@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
   verify_verb->add_option("scheme", verify.schemes, "Catalogue names or scheme files")->type_name("SCHEME");
   verify_verb->add_option("--claim", verify.claim, "Decide this claim, e.g. C2 or \"not C3\", instead of the file's own");
   add_settings(*verify_verb, verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]");
+  verify_verb->add_option("--valence", verify.valence, "Valences of a --claim about a surface scheme: N, N..M, \"[N, inf)\"; default: all")->type_name("RANGE");
   add_certificates(*verify_verb, verify.certificates, "Directory for the certificates");
   add_common(*verify_verb, verify);
 

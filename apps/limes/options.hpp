@@ -32,6 +32,7 @@ struct VerifyOptions : CommonOptions {
   std::vector<std::string> schemes;
   std::optional<std::string> claim;
   std::vector<std::string> parameters;  // "w=1/96", "w=[0,1/4]"
+  std::optional<std::string> valence;   // "5", "3..50", "[3, inf)"
   std::filesystem::path certificates = "certificates";
 };
 

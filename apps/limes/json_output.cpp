@@ -257,6 +257,37 @@ std::string matrix_json(const MatrixReport& report) {
   return text(json);
 }
 
+std::string spectrum_json(const std::vector<VertexSpectrumReport>& reports, bool interrupted) {
+  Json results = Json::array();
+  const auto ends = [](const Interval& x) { return Json{to_string(x.lower), to_string(x.upper)}; };
+  for (const VertexSpectrumReport& report : reports) {
+    Json eigenvalues = Json::array();
+    for (const VertexEigenvalue& e : report.eigenvalues) {
+      eigenvalues.push_back({{"re", ends(e.re)},
+                             {"im", ends(e.im)},
+                             {"modulus", ends(e.modulus)},
+                             {"re_decimal", enclosure_json(e.re)},
+                             {"im_decimal", enclosure_json(e.im)},
+                             {"modulus_decimal", enclosure_json(e.modulus)},
+                             {"exact", e.re.is_point() && e.im == Interval::point(0) ? Json(to_string(e.re.lower)) : Json(nullptr)},
+                             {"multiplicity", e.multiplicity},
+                             {"fourier", e.fourier},
+                             {"cluster", e.is_cluster},
+                             {"factor", e.factor}});
+    }
+    results.push_back({{"scheme", report.scheme},
+                       {"valence", report.valence},
+                       {"level", report.level ? Json(*report.level) : Json(nullptr)},
+                       {"and_later", report.and_later},
+                       {"mu", ends(report.mu)},
+                       {"mu_decimal", enclosure_json(report.mu)},
+                       {"rings", report.rings},
+                       {"size", report.size},
+                       {"eigenvalues", eigenvalues}});
+  }
+  return text({{"results", results}, {"complete", !interrupted}});
+}
+
 std::string dominance_json(const std::vector<DominanceReport>& reports) {
   Json results = Json::array();
   for (const DominanceReport& report : reports) {

@@ -97,6 +97,17 @@ int run(int argc, char** argv) {
   matrix_verb->add_flag("--latex", matrix.latex, "Print matrix and factors in LaTeX");
   add_common(*matrix_verb, matrix);
 
+  SpectrumOptions spectrum;
+  CLI::App* spectrum_verb = app.add_subcommand("spectrum", "Eigenvalues of a surface scheme around a vertex or face of any valence, enclosed");
+  spectrum_verb->add_option("scheme", spectrum.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  spectrum_verb->add_option("--valence", spectrum.valence, "Valence N >= 3, or N..M")->required()->type_name("N");
+  spectrum_verb->add_option("--level", spectrum.level, "Level K >= 0 (default: 0), K..L, or K.. for all from K on together")->type_name("K");
+  spectrum_verb->add_option("--param", spectrum.parameters, "theta=pi/3, type=trigonometric|polynomial|hyperbolic, or mu=1 (default)")
+      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  spectrum_verb->add_option("--rings", spectrum.rings, "Rings of control points (default: the least number that works)")
+      ->check(CLI::Range(1, 8))->type_name("R");
+  add_common(*spectrum_verb, spectrum);
+
   DominanceOptions dominance;
   CLI::App* dominance_verb = app.add_subcommand("dominance", "Which tests prove that the eigenvalues at an isolated knot ratio are dominated");
   dominance_verb->add_option("scheme", dominance.schemes, "Catalogue names or scheme files (default: the non-uniform ones of the catalogue)")
@@ -248,6 +259,7 @@ int run(int argc, char** argv) {
   if (check_verb->parsed()) return run_check(check);
   if (map_verb->parsed()) return run_map(map);
   if (matrix_verb->parsed()) return run_matrix(matrix);
+  if (spectrum_verb->parsed()) return run_spectrum(spectrum);
   if (dominance_verb->parsed()) return run_dominance(dominance);
   if (search_verb->parsed()) return run_search(search);
   if (derive_verb->parsed()) return run_derive(derive);

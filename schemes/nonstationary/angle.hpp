@@ -3,6 +3,7 @@
 #include "algebra/polynomial/box.hpp"
 
 #include <string_view>
+#include <utility>
 
 namespace limes {
 

@@ -156,22 +156,28 @@ class SpectrumProver {
   std::optional<std::string> failure_;
 };
 
-/// Whether the checker accepts a proof; otherwise its reason.
-std::optional<std::string> rejection(const Scheme& scheme, const Claim& claim, const VertexProof& proof) {
+}  // namespace
+
+std::optional<std::string> vertex_rejection(const Scheme& scheme, const Claim& claim, const VertexProof& proof) {
   const Certificate certificate{.scheme = scheme.name,
                                 .parameters = scheme.parameter_names(),
                                 .definition = *scheme.surface,
                                 .claim = claim,
                                 .verdict = Outcome::certified,
-                                .theorem = Theorem::e1,
+                                .theorem = proof.map ? Theorem::e2 : Theorem::e1,
                                 .proof = proof};
   const checker::Result result = checker::check(to_json(certificate));
   return result.valid ? std::nullopt : std::optional(result.reason);
 }
 
-}  // namespace
-
 VertexAttempt prove_vertex_claim(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  if (claim.subject == ClaimSubject::vertex_spectrum) return prove_spectral_condition(scheme, claim, limits, stop);
+  if (claim.subject == ClaimSubject::limits && claim.smoothness == 1 && !claim.negated)
+    return prove_smooth_at_vertices(scheme, claim, limits, stop);
+  return {std::nullopt, "of a surface scheme the spectral condition and C1 can be proved, but not this"};
+}
+
+VertexAttempt prove_spectral_condition(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
   VertexAttempt attempt;
   const auto undecided = [&](std::string reason) {
     attempt.reason = std::move(reason);
@@ -180,8 +186,6 @@ VertexAttempt prove_vertex_claim(const Scheme& scheme, const Claim& claim, const
   const SurfaceRule& surface = *scheme.surface;
   const RingRule& rule = surface.rings;
   if (!surface.sequence.first_levels.empty()) return undecided("the first levels of the curve scheme have masks of their own");
-  if (claim.subject != ClaimSubject::vertex_spectrum)
-    return undecided("of a surface scheme the spectral condition can be proved, but not this");
   if (harmonics(rule).back() > 1) return undecided("a rule has a harmonic above 1");
   const ValenceRange& valences = *claim.valences;
 
@@ -214,7 +218,7 @@ VertexAttempt prove_vertex_claim(const Scheme& scheme, const Claim& claim, const
   };
   if (valences.last) {
     if (!add_separators_before(*valences.last + 1)) return undecided(*prover.failure());
-    const std::optional<std::string> reason = rejection(scheme, claim, proof);
+    const std::optional<std::string> reason = vertex_rejection(scheme, claim, proof);
     if (reason) return undecided(*reason);
     attempt.proof = std::move(proof);
     return attempt;
@@ -226,7 +230,7 @@ VertexAttempt prove_vertex_claim(const Scheme& scheme, const Claim& claim, const
     for (AllValencesProof& all : prover.for_all(from)) {
       stop.check();
       proof.all = std::move(all);
-      const std::optional<std::string> rejected = rejection(scheme, claim, proof);
+      const std::optional<std::string> rejected = vertex_rejection(scheme, claim, proof);
       if (!rejected) {
         attempt.proof = std::move(proof);
         return attempt;

@@ -17,6 +17,13 @@ struct VertexAttempt {
 /// sum_k 2^k ||M_k - M|| < inf. \pre scheme.surface and claim.valences
 VertexAttempt prove_vertex_claim(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop);
 
+/// Theorem E1, whatever the claim's statement is, and, for "C1" at the angle 0, Theorem E2.
+VertexAttempt prove_spectral_condition(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop);
+VertexAttempt prove_smooth_at_vertices(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop);
+
+/// Why the checker rejects a proof of the claim, or nothing.
+std::optional<std::string> vertex_rejection(const Scheme& scheme, const Claim& claim, const VertexProof& proof);
+
 /// What the proof says, in one sentence.
 std::string describe_vertex_proof(const Certificate& certificate);
 

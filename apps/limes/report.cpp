@@ -115,6 +115,11 @@ class Output {
     files_.emplace_back(name, content);
     outputs_.push_back({(directory_ / name).string(), kind});
   }
+  /// Of an earlier run.
+  void remove(const std::string& name) const {
+    std::error_code ignored;
+    fs::remove(directory_ / name, ignored);
+  }
   void add(const std::string& name, const std::string& kind) { outputs_.push_back({(directory_ / name).string(), kind}); }
   const Manifest::Files& files() const { return files_; }
   const std::vector<OutputFile>& outputs() const { return outputs_; }
@@ -153,6 +158,8 @@ void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOpti
 
 void write_report(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
   ProofReportOptions contents;
+  write_certificates(schemes, "certificates/", output);  // first: an interruption does not lose them
+  for (const char* old : {"figures.tex", "figures.pdf", "report.pdf"}) output.remove(old);
   contents.polygons = data_path("polygons");
   contents.nets = data_path("surfaces");
   const Document document = proof_report(schemes, contents, stop);
@@ -165,7 +172,6 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
       output.write("data/" + name + ".csv", "csv", figure->panels[k].data);
     }
   }
-  write_certificates(schemes, "certificates/", output);
   const References references = load_bibliography();
   if (latex && !figures(document).empty()) output.write("figures.tex", "latex-figures", figures_latex(document));
   if (latex) output.write("report.tex", "latex", to_latex(document, references, {.fragment = false, .date = source_date()}));
@@ -175,6 +181,7 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   output.write("manifest.json", "manifest", manifest_json(manifest));
   if (latex && !options.no_pdf) {
     run_latexmk(options.output / "report.tex", options.engine, stop);
+    if (!figures(document).empty()) output.add("figures.pdf", "pdf-figures");
     output.add("report.pdf", "pdf");
   }
 }

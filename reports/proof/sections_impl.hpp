@@ -30,6 +30,8 @@ RichText region_rich(const Scheme& scheme, const Box& region);
 Blocks definition(const Scheme& scheme);
 
 Blocks nonstationary_definition(const Scheme& scheme);
+/// A name of an insertion rule: \omega, \mathit{cr}_1.
+std::string rule_name(const std::string& name);
 /// An insertion rule in formulas, with the meaning of its words.
 Blocks rule_text(const InsertionRuleText& text);
 /// One line for each residue of the new points.
@@ -56,6 +58,9 @@ Blocks asymptotic_proof(const Scheme& scheme, const Certificate& certificate);
 Blocks space_proof(const Scheme& scheme, const Certificate& certificate);
 /// Table of regions and levels; the mask is the scheme's one for equal intervals.
 Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, ReportState& state, const Stop& stop);
+
+/// How far an undecided claim about a scheme with one mask is from a proof: norms by level, bounds of the joint spectral radius.
+Blocks undecided_text(const Scheme& scheme, const Claim& claim, const Stop& stop);
 
 /// The bounds of Hoelder exponents, with their proofs.
 Blocks exponent_text(const ReportedScheme& reported);

@@ -46,6 +46,10 @@ struct Scheme {
   std::vector<Claim> claims;
   std::filesystem::path file;
 
+  /// Whose angle is the only parameter: of a nonstationary scheme, or of a surface scheme's curve scheme; nullptr for others.
+  const MaskSequence* level_sequence() const {
+    return sequence ? &*sequence : surface && !parameters.empty() ? &surface->sequence : nullptr;
+  }
   VariableNames parameter_names() const;
   Box parameter_box() const;
 };

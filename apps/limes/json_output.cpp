@@ -3,6 +3,7 @@
 #include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
+#include "schemes/surface/ring_expression.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -30,12 +31,13 @@ Json intervals_json(const Scheme& scheme, const Box& region) {
 
 Json claim_json(const Scheme& scheme, const Claim& claim) {
   Json json{{"claim", statement(claim)},
-            {"smoothness", claim.space ? Json(nullptr) : Json(claim.smoothness)},
+            {"smoothness", claim.space || claim.subject == ClaimSubject::vertex_spectrum ? Json(nullptr) : Json(claim.smoothness)},
             {"region", region_json(scheme, claim.region)},
             {"intervals", intervals_json(scheme, claim.region)},
             {"expected", to_string(claim.expected)},
             {"source", claim.source}};
-  if (scheme.sequence) json["type"] = to_string(claim.type);
+  if (claim.valences) json["valence"] = to_string(*claim.valences);
+  if (scheme.level_sequence()) json["type"] = to_string(claim.type);
   if (!claim.erratum.empty()) json["erratum"] = claim.erratum;
   return json;
 }
@@ -102,11 +104,17 @@ std::string list_json(const std::vector<Scheme>& schemes) {
 
 std::string show_json(const Scheme& scheme) {
   if (scheme.surface) {
+    const RingRule& rings = scheme.surface->rings;
+    Json rules = Json::object();
+    for (const auto& [point, terms] : rings.given) rules[to_string(point)] = to_string(terms, scheme.surface->sequence.level_parameter);
     return text(Json{{"name", scheme.name},
                      {"title", scheme.title},
                      {"kind", to_string(scheme.kind)},
                      {"source", scheme.sources},
-                     {"curve", scheme.surface->curve}});
+                     {"curve", scheme.surface->curve},
+                     {"dual", rings.dual},
+                     {"virtual_points", scheme.surface->virtual_points},
+                     {"rules", rules}});
   }
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();

@@ -46,6 +46,10 @@ int run(int argc, char** argv) {
   CLI::App* show_verb = app.add_subcommand("show", "Show a scheme: mask, symbol, sum rules, claims");
   show_verb->add_option("scheme", show.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   show_verb->add_flag("--latex", show.latex, "Print the mask and the symbol's factorisation in LaTeX");
+  show_verb->add_option("--characteristic-map", show.characteristic_map, "Draw the characteristic map of a surface scheme at this valence into the files of -o")
+      ->type_name("N")
+      ->check(CLI::Range(3, 1000));
+  show_verb->add_option("-o,--output", show.outputs, "With --characteristic-map: .svg, .pgf or .png files")->type_name("FILE");
   add_common(*show_verb, show);
 
   VerifyOptions verify;
@@ -54,6 +58,7 @@ int run(int argc, char** argv) {
   verify_verb->add_option("--claim", verify.claim, "Decide this claim, e.g. C2 or \"not C3\", instead of the file's own");
   verify_verb->add_option("--param", verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]")
       ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  verify_verb->add_option("--valence", verify.valence, "Valences of a --claim about a surface scheme: N, N..M, \"[N, inf)\"; default: all")->type_name("RANGE");
   verify_verb->add_option("--certificates", verify.certificates, "Directory for the certificates")
       ->type_name("DIR")->capture_default_str();
   add_common(*verify_verb, verify);

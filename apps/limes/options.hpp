@@ -24,12 +24,15 @@ struct ListOptions : CommonOptions {};
 struct ShowOptions : CommonOptions {
   std::string scheme;
   bool latex = false;
+  std::optional<int> characteristic_map;  // the valence
+  std::vector<std::filesystem::path> outputs;
 };
 
 struct VerifyOptions : CommonOptions {
   std::vector<std::string> schemes;
   std::optional<std::string> claim;
   std::vector<std::string> parameters;  // "w=1/96", "w=[0,1/4]"
+  std::optional<std::string> valence;   // "5", "3..50", "[3, inf)"
   std::filesystem::path certificates = "certificates";
 };
 

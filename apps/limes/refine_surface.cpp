@@ -141,6 +141,8 @@ std::string content(const std::string& kind, const RefinedSurface& surface, cons
 }  // namespace
 
 int refine_surface(const Scheme& scheme, const RefineOptions& options, const Stop& stop) {
+  if (!scheme.surface->virtual_points)
+    throw InputError(fmt::format("{} gives rules around extraordinary points of its own; only schemes with virtual points can be refined", scheme.name));
   if (!options.knots.empty() || options.closed || options.comb) throw InputError("--knots, --closed and --comb are for polygons");
   std::vector<OutputFile> outputs;
   for (const std::filesystem::path& file : options.outputs) outputs.push_back({file.string(), kind_of(file)});

@@ -13,4 +13,7 @@ namespace limes {
 /// \throws InputError with column
 Interval read_angles(std::string_view text);
 
+/// {a, b} of a single angle a + b pi, exactly. \throws InputError with column
+std::pair<Rational, Rational> read_angle(std::string_view text);
+
 }  // namespace limes

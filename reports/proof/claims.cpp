@@ -25,6 +25,7 @@ RichText source_text(const Claim& claim) {
 
 /// "For every w in [..] the scheme is C^2."
 RichText assertion(const Scheme& scheme, const Claim& claim) {
+  if (scheme.surface) return rich(vertex_assertion(scheme, claim));
   const std::string type = scheme.sequence && scheme.sequence->types.size() > 1 ? fmt::format(" ({})", to_string(claim.type)) : "";
   if (claim.space) {
     const std::string functions = functions_latex(claim.space->functions);
@@ -76,6 +77,9 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
       return asymptotic_proof(scheme, certificate);
     case Theorem::s2:
       return space_proof(scheme, certificate);
+    case Theorem::e1:
+    case Theorem::e2:
+      return vertex_proof_text(scheme, certificate, stop);
     default:
       return {paragraph(fmt::format("By [Theorem {0}](#theorem-{0}); the cone, words and vectors that it needs are in the certificate.", to_string(certificate.theorem)))};
   }
@@ -108,6 +112,7 @@ RichText statement_text(const Claim& claim) {
   if (claim.space) {
     return rich(fmt::format("{}{} ${}$", claim.negated ? "not " : "", claim.space->generates ? "generates" : "reproduces", functions_latex(claim.space->functions)));
   }
+  if (claim.subject == ClaimSubject::vertex_spectrum) return rich("spectral condition");
   if (claim.subject != ClaimSubject::limits) return prose(statement(claim));
   return rich(fmt::format("{}$C^{{{}}}$", claim.negated ? "not " : "", claim.smoothness));
 }
@@ -115,6 +120,13 @@ RichText statement_text(const Claim& claim) {
 RichText region_rich(const Scheme& scheme, const Box& region) {
   const std::string latex = region_latex(scheme, region);
   return latex.empty() ? RichText{} : mathematics(latex);
+}
+
+RichText region_rich(const Scheme& scheme, const Claim& claim) {
+  RichText region = region_rich(scheme, claim.region);
+  if (!claim.valences) return region;
+  const RichText valences = mathematics(valences_latex(*claim.valences));
+  return region.empty() ? valences : valences + rich(", ") + region;
 }
 
 Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportState& state, const Stop& stop) {

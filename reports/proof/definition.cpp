@@ -124,10 +124,7 @@ Blocks definition(const Scheme& scheme) {
       blocks.push_back(paragraph(code(to_string(point) + " = " + to_string(terms, scheme.surface->sequence.level_parameter))));
     return blocks;
   }
-  if (scheme.surface) {
-    return {paragraph(rich("A scheme for meshes of quadrilaterals: the tensor product of the curve scheme ") + code(scheme.surface->curve) +
-                      rich(" where the mesh is regular, continued through extraordinary vertices by virtual points [@Kobbelt1996], [@BariMustafaGhaffarNisarBaleanu2021]."))};
-  }
+  if (scheme.surface) return surface_definition(scheme);
   return {paragraph(rich("The scheme is defined by its file, ") + code(scheme.file.filename().string()) + rich(".") + parameters_text(scheme))};
 }
 

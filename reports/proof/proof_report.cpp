@@ -34,7 +34,7 @@ DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
       RichText outcome = rich(verdict.outcome == Outcome::certified ? "certified" : fmt::format("*{}*", to_string(verdict.outcome)));
       if (!expected) outcome = outcome + rich(" (unexpected)");
       table.rows.push_back({first ? RichText{{Span::Kind::reference, reported.scheme.name, section_label(reported.scheme)}} : RichText{},
-                            short_statement(decided.claim), region_rich(reported.scheme, decided.claim.region), outcome,
+                            short_statement(decided.claim), region_rich(reported.scheme, decided.claim), outcome,
                             verdict.certificate ? rich(fmt::format("[{0}](#theorem-{0})", to_string(verdict.certificate->theorem))) : RichText{},
                             verdict.certificate_json.empty() ? RichText{} : code(sha256(verdict.certificate_json).substr(0, 12))});
       first = false;

@@ -25,6 +25,8 @@ struct ReportState {
 /// "C^2" or "not C^2".
 RichText statement_text(const Claim& claim);
 RichText region_rich(const Scheme& scheme, const Box& region);
+/// With the valences of a claim about extraordinary vertices.
+RichText region_rich(const Scheme& scheme, const Claim& claim);
 
 /// Mask or rule, symbol, factorisation, polynomials, stability.
 Blocks definition(const Scheme& scheme);
@@ -52,6 +54,13 @@ std::string value_latex(const Rational& value);
 std::string word_latex(const std::vector<int>& word);
 /// "Certificate `name` (SHA-256 `first digits`)."
 RichText certificate_text(const std::string& name, const std::string& json);
+
+/// Surface schemes: their rules, claims about extraordinary vertices, and proofs by E1 and E2; grid lines under characteristic maps.
+Blocks surface_definition(const Scheme& scheme);
+std::string vertex_assertion(const Scheme& scheme, const Claim& claim);
+/// "n\ge3"
+std::string valences_latex(const ValenceRange& valences);
+Blocks vertex_proof_text(const Scheme& scheme, const Certificate& certificate, const Stop& stop);
 
 /// By S1 and S2.
 Blocks asymptotic_proof(const Scheme& scheme, const Certificate& certificate);

@@ -61,6 +61,7 @@ void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, 
   for (ReportedScheme& reported : schemes) {
     std::vector<Claim> claims;
     for (const DecidedClaim& decided : reported.claims) claims.push_back(decided.claim);
+    if (options.claim) continue;  // that claim and no more
     for (std::vector<Rational>& point : exponent_points(reported.scheme, claims)) points.emplace_back(&reported, std::move(point));
   }
   std::vector<std::optional<DecidedExponent>> exponents(points.size());

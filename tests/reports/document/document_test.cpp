@@ -100,6 +100,7 @@ TEST(Markdown, NumbersStatementsAndKeepsTablesWhole) {
   EXPECT_THAT(text, HasSubstr("## 1. On $C^2$"));
   EXPECT_THAT(text, HasSubstr("| name | $\\vert x\\vert $ |"));
   EXPECT_THAT(text, HasSubstr("**Proposition 1.1.** It holds."));
+  EXPECT_THAT(text, HasSubstr("```\n\n∎"));
   EXPECT_THAT(text, HasSubstr("- \\[Dyn 1992\\] Nira Dyn. *Schemes*."));
 }
 

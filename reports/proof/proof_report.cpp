@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace limes {
 namespace {
 
@@ -73,10 +75,13 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
   if (options.figures && (scheme.kind == SchemeKind::uniform || scheme.insertion_rule)) append(blocks, scheme_figures(reported, options.polygons, stop));
+  if (reported.weight) append(blocks, weight_section(scheme, *reported.weight));
   for (const DecidedClaim& decided : reported.claims) {
     stop.check();
     append(blocks, decided_claim(scheme, decided, state, stop));
   }
+  if (reported.filters) append(blocks, filter_section(scheme, *reported.filters));
+  if (!options.figures) std::erase_if(blocks, [](const Block& block) { return std::holds_alternative<Figure>(block); });
   return blocks;
 }
 
@@ -97,6 +102,7 @@ Document proof_report(const std::vector<ReportedScheme>& schemes, const ProofRep
   if (options.front_matter) append(document.blocks, summary(schemes));
   document.blocks.push_back(Heading{1, rich("What is proved, and how"), "theorems"});
   append(document.blocks, theorem_statements(used_theorems(schemes)));
+  if (std::any_of(schemes.begin(), schemes.end(), [](const ReportedScheme& reported) { return reported.filters.has_value(); })) append(document.blocks, biorthogonality_theorem());
   ReportState state;
   for (const ReportedScheme& reported : schemes) append(document.blocks, section(reported, options, state, stop));
   if (!state.appendix.empty()) {

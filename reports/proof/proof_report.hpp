@@ -3,6 +3,8 @@
 #include "algebra/stop.hpp"
 #include "proofs/verdict.hpp"
 #include "reports/document/document.hpp"
+#include "reports/unity/decided_filters.hpp"
+#include "reports/unity/weight_study.hpp"
 #include "schemes/scheme.hpp"
 
 #include <filesystem>
@@ -22,6 +24,9 @@ struct DecidedClaim {
 struct ReportedScheme {
   Scheme scheme;
   std::vector<DecidedClaim> claims;
+  /// Of a mask from a weight function, and of a binary scheme whose multiresolution filters are asked for.
+  std::optional<WeightStudy> weight = {};
+  std::optional<DecidedFilters> filters = {};
 };
 
 struct ProofReportOptions {

@@ -1,6 +1,7 @@
 #include "reports/document/sha256.hpp"
 #include "reports/proof/formulas.hpp"
 #include "reports/proof/sections_impl.hpp"
+#include "reports/unity/projective_proof_text.hpp"
 
 #include <fmt/format.h>
 
@@ -80,8 +81,8 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
     case Theorem::e1:
     case Theorem::e2:
       return vertex_proof_text(scheme, certificate, stop);
-    default:
-      return {paragraph(fmt::format("By [Theorem {0}](#theorem-{0}); the cone, words and vectors that it needs are in the certificate.", to_string(certificate.theorem)))};
+    default:  // P0, P1, P2
+      return projective_proof_text(scheme, certificate);
   }
 }
 

@@ -108,7 +108,7 @@ Document proof_report(const std::vector<ReportedScheme>& schemes, const ProofRep
   ReportState state;
   for (const ReportedScheme& reported : schemes) append(document.blocks, section(reported, options, state, stop));
   if (!state.appendix.empty()) {
-    document.blocks.push_back(Heading{1, rich("Appendix: coefficients of long factors"), "appendix"});
+    document.blocks.push_back(Heading{1, rich("Appendix: subdivision matrices and long factors"), "appendix"});
     append(document.blocks, std::move(state.appendix));
   }
   return document;

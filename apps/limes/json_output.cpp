@@ -344,7 +344,8 @@ std::string derive_json(const DeriveReport& report) {
       Json claims = Json::array();
       for (const Claim& claim : cost.claims) claims.push_back(statement(claim));
       Json row{{"sum_rules", cost.sum_rules}, {"error", cost.error}, {"claims", claims}};
-      if (cost.exponent) row["exponent"] = to_string(*cost.exponent);
+      if (cost.exponent.lower) row["exponent"] = to_string(*cost.exponent.lower);
+      if (cost.exponent.upper) row["exponent_upper"] = to_string(*cost.exponent.upper);
       json["costs"].push_back(row);
     }
   }

@@ -50,6 +50,24 @@ std::vector<ReportedScheme> claims_of(const ReportOptions& options) {
   return schemes;
 }
 
+/// What weight functions and filters are about: schemes that name a weight function have both, others filters if asked for.
+void study(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
+  constexpr int usual_extension = 8;
+  Progress progress(!options.quiet);
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, schemes.size(), [&](std::size_t index) {
+    ReportedScheme& reported = schemes[index];
+    try {
+      if (reported.scheme.weight && !options.claim) reported.weight = study_weight(reported.scheme, stop);
+      if (reported.weight || options.multiresolution) reported.filters = decide_filters(reported.scheme, options.multiresolution.value_or(usual_extension), stop);
+    } catch (const Interrupted&) {  // the report goes without them
+    }
+    const std::scoped_lock lock(mutex);
+    progress.show(fmt::format("weight functions and filters: {} of {} schemes", ++done, schemes.size()));
+  }, tbb::simple_partitioner());
+}
+
 void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
   std::vector<std::pair<ReportedScheme*, std::size_t>> work;
   for (ReportedScheme& reported : schemes) {
@@ -61,6 +79,7 @@ void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, 
   for (ReportedScheme& reported : schemes) {
     std::vector<Claim> claims;
     for (const DecidedClaim& decided : reported.claims) claims.push_back(decided.claim);
+    if (options.claim) continue;  // that claim and no more
     for (std::vector<Rational>& point : exponent_points(reported.scheme, claims)) points.emplace_back(&reported, std::move(point));
   }
   std::vector<std::optional<DecidedExponent>> exponents(points.size());
@@ -115,6 +134,11 @@ class Output {
     files_.emplace_back(name, content);
     outputs_.push_back({(directory_ / name).string(), kind});
   }
+  /// Of an earlier run.
+  void remove(const std::string& name) const {
+    std::error_code ignored;
+    fs::remove(directory_ / name, ignored);
+  }
   void add(const std::string& name, const std::string& kind) { outputs_.push_back({(directory_ / name).string(), kind}); }
   const Manifest::Files& files() const { return files_; }
   const std::vector<OutputFile>& outputs() const { return outputs_; }
@@ -131,6 +155,10 @@ void write_certificates(const std::vector<ReportedScheme>& schemes, const std::s
       if (!decided.certificate.empty()) output.write(folder + decided.certificate, "certificate", decided.verdict.certificate_json);
     }
     for (const DecidedExponent& decided : reported.exponents) output.write(folder + decided.certificate, "certificate", decided.certificate_json);
+    if (reported.filters) output.write(folder + reported.filters->certificate, "certificate", reported.filters->proof.certificate_json);
+    for (const auto& [name, json] : reported.weight ? exponent_certificates(reported.scheme, *reported.weight) : std::vector<std::pair<std::string, std::string>>{}) {
+      output.write(folder + name, "certificate", json);
+    }
   }
 }
 
@@ -139,6 +167,7 @@ std::vector<std::string> command_words(const ReportOptions& options) {
   words.insert(words.end(), options.schemes.begin(), options.schemes.end());
   if (options.claim) words.insert(words.end(), {"--claim", *options.claim});
   for (const std::string& parameter : options.parameters) words.insert(words.end(), {"--param", parameter});
+  if (options.multiresolution) words.insert(words.end(), {"--multiresolution", fmt::format("{}", *options.multiresolution)});
   if (options.format != "latex") words.insert(words.end(), {"--format", options.format});
   if (options.engine != "pdflatex") words.insert(words.end(), {"--engine", options.engine});
   words.insert(words.end(), {"-o", options.output.string()});
@@ -153,6 +182,8 @@ void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOpti
 
 void write_report(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
   ProofReportOptions contents;
+  write_certificates(schemes, "certificates/", output);  // first: an interruption does not lose them
+  for (const char* old : {"figures.tex", "figures.pdf", "report.pdf"}) output.remove(old);
   contents.polygons = data_path("polygons");
   contents.nets = data_path("surfaces");
   const Document document = proof_report(schemes, contents, stop);
@@ -165,7 +196,6 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
       output.write("data/" + name + ".csv", "csv", figure->panels[k].data);
     }
   }
-  write_certificates(schemes, "certificates/", output);
   const References references = load_bibliography();
   if (latex && !figures(document).empty()) output.write("figures.tex", "latex-figures", figures_latex(document));
   if (latex) output.write("report.tex", "latex", to_latex(document, references, {.fragment = false, .date = source_date()}));
@@ -175,6 +205,7 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   output.write("manifest.json", "manifest", manifest_json(manifest));
   if (latex && !options.no_pdf) {
     run_latexmk(options.output / "report.tex", options.engine, stop);
+    if (!figures(document).empty()) output.add("figures.pdf", "pdf-figures");
     output.add("report.pdf", "pdf");
   }
 }
@@ -200,6 +231,7 @@ int run_report(const ReportOptions& options) {
   if (options.fragment && options.format != "latex") throw InputError("--fragment writes LaTeX, not --format " + options.format);
   Output output(options.fragment ? fs::absolute(options.output).parent_path() : options.output);
   decide(schemes, options, session.stop());
+  study(schemes, options, session.stop());
   if (options.fragment) write_fragment(schemes, options, session.stop(), output);
   else write_report(schemes, options, session.stop(), output);
   if (options.json) {

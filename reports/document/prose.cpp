@@ -42,6 +42,12 @@ class Reader {
         k = formula->end;
         continue;
       }
+      if (text_.substr(k).starts_with(">=") || text_.substr(k).starts_with("<=")) {
+        flush();
+        result.push_back({Span::Kind::mathematics, text_[k] == '>' ? "\\ge" : "\\le"});
+        k += 2;
+        continue;
+      }
       // A word that is no formula is passed as a whole.
       const std::size_t begin = k;
       do ++k;
@@ -73,6 +79,7 @@ class Reader {
       }
       Piece number{end, std::string(text_.substr(k, end - k))};
       if (text_.substr(end).starts_with("...")) number.end += 3, number.latex += "\\ldots";
+      add_power(number);
       if (is_word(at(number.end))) return std::nullopt;
       return number;
     }
@@ -88,17 +95,19 @@ class Reader {
       variable.latex += "^{*}";
       variable.end = end + 1;
       variable.alone = true;
-    } else if (at(end) == '^') {
-      std::size_t last = end + 1 + (at(end + 1) == '-');
-      const std::size_t digits = last;
-      while (is_digit(at(last))) ++last;
-      if (last > digits) {
-        variable.latex += "^{" + std::string(text_.substr(end + 1, last - end - 1)) + "}";
-        variable.end = last;
-        variable.alone = true;
-      }
+    } else {
+      add_power(variable);
     }
     return variable;
+  }
+
+  void add_power(Piece& base) const {
+    if (at(base.end) != '^') return;
+    const std::size_t digits = base.end + 1 + (at(base.end + 1) == '-');
+    std::size_t last = digits;
+    while (is_digit(at(last))) ++last;
+    if (last == digits) return;
+    base = {last, base.latex + "^{" + std::string(text_.substr(base.end + 1, last - base.end - 1)) + "}", base.variable, true};
   }
 
   /// An operator between two pieces: relations anywhere, signs, products and quotients.

@@ -3,7 +3,6 @@
 #include "analysis/uniform/stability.hpp"
 #include "reports/proof/formulas.hpp"
 #include "reports/proof/sections_impl.hpp"
-#include "schemes/surface/ring_expression.hpp"
 
 #include <fmt/format.h>
 
@@ -116,18 +115,7 @@ Blocks definition(const Scheme& scheme) {
   if (scheme.insertion_rule) return nonuniform_definition(scheme);
   if (scheme.kind == SchemeKind::uniform) return uniform_definition(scheme, "From points $p_j$ one step makes the points", true);
   if (scheme.sequence) return nonstationary_definition(scheme);
-  if (scheme.surface && !scheme.surface->virtual_points) {
-    Blocks blocks{paragraph(rich("A scheme for meshes of quadrilaterals: the tensor product of the curve scheme ") + code(scheme.surface->curve) +
-                            rich(" where the mesh is regular. Around extraordinary " + std::string(scheme.surface->rings.dual ? "faces" : "vertices") +
-                                 " of valence $n$ these new points have rules of their own:"))};
-    for (const auto& [point, terms] : scheme.surface->rings.given)
-      blocks.push_back(paragraph(code(to_string(point) + " = " + to_string(terms, scheme.surface->sequence.level_parameter))));
-    return blocks;
-  }
-  if (scheme.surface) {
-    return {paragraph(rich("A scheme for meshes of quadrilaterals: the tensor product of the curve scheme ") + code(scheme.surface->curve) +
-                      rich(" where the mesh is regular, continued through extraordinary vertices by virtual points [@Kobbelt1996], [@BariMustafaGhaffarNisarBaleanu2021]."))};
-  }
+  if (scheme.surface) return surface_definition(scheme);
   return {paragraph(rich("The scheme is defined by its file, ") + code(scheme.file.filename().string()) + rich(".") + parameters_text(scheme))};
 }
 

@@ -32,6 +32,7 @@ std::optional<Figure> comb_figure(const ReportedScheme& reported, const std::vec
 std::optional<Figure> curvature_figure(const ReportedScheme& reported, const std::filesystem::path& polygons, const Stop& stop);
 std::optional<Figure> square_figure(const ReportedScheme& reported, const std::vector<Rational>& point, const std::filesystem::path& polygons, const Stop& stop);
 /// Shaded pictures of nets that surfaces.json in the folder describes.
+std::optional<Figure> characteristic_map_figure(const Scheme& scheme);
 Blocks surface_figures(const Scheme& scheme, const std::filesystem::path& nets, const Stop& stop);
 
 }  // namespace limes::report_impl

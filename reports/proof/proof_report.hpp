@@ -4,6 +4,8 @@
 #include "analysis/uniform/hoelder_exponent.hpp"
 #include "proofs/verdict.hpp"
 #include "reports/document/document.hpp"
+#include "reports/unity/decided_filters.hpp"
+#include "reports/unity/weight_study.hpp"
 #include "schemes/scheme.hpp"
 
 #include <filesystem>
@@ -33,6 +35,9 @@ struct ReportedScheme {
   Scheme scheme;
   std::vector<DecidedClaim> claims;
   std::vector<DecidedExponent> exponents = {};
+  /// Of a mask from a weight function, and of a binary scheme whose multiresolution filters are asked for.
+  std::optional<WeightStudy> weight = {};
+  std::optional<DecidedFilters> filters = {};
 };
 
 /// The parameter values at which a report bounds the Hoelder exponent: the one of a uniform scheme without parameters, and those of claims about a

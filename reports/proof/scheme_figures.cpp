@@ -67,7 +67,11 @@ Blocks scheme_figures(const ReportedScheme& reported, const ProofReportOptions& 
     if (figure) blocks.push_back(std::move(*figure));
   };
   try {
-    if (scheme.surface) return surface_figures(scheme, options.nets, stop);
+    if (scheme.surface) {
+      add(characteristic_map_figure(scheme));
+      if (scheme.surface->virtual_points) append(blocks, surface_figures(scheme, options.nets, stop));
+      return blocks;
+    }
     if (scheme.sequence) {
       int smoothness = -1;
       for (const DecidedClaim& decided : reported.claims) {

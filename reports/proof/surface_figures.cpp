@@ -56,8 +56,7 @@ Figure::Panel surface_panel(const SurfaceRule& rule, const Json& example, const 
 
 Blocks surface_figures(const Scheme& scheme, const std::filesystem::path& nets, const Stop& stop) {
   std::ifstream stream(nets / "surfaces.json");
-  // Only schemes that continue the lines of a net by virtual points refine tensor-product nets.
-  if (nets.empty() || !stream || scheme.surface->curve.empty()) return {};
+  if (nets.empty() || !stream) return {};
   Json examples;
   try {
     examples = Json::parse(stream);

@@ -127,10 +127,14 @@ with tempfile.TemporaryDirectory() as directory:
     for arguments in (["four-point", "--param", "w=1/16"], ["deslauriers-dubuc-6"], ["six-point", "--param", "w=1/50", "--digits", "3"],
                       [directory + "/three.toml"]):
         subprocess.run([limes, "holder", *arguments, "--certificates", directory, "--quiet"], check=False, stdout=subprocess.DEVNULL)
+    for claim in ("only zero limits", "not C0", "C0", "projective C0", "not projective C0", "not projective C1", "projective C1"):
+        subprocess.run([limes, "verify", "cinpact-3", "--claim", claim, "--certificates", directory, "--quiet"], check=False, stdout=subprocess.DEVNULL)
+    subprocess.run([limes, "multiresolution", "chaikin", "--extension", "2", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
     for path in pathlib.Path(directory).glob("*.json"):
         certificates[path.name] = json.loads(path.read_text())
 
-assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2", "U3", "JSR"}
+assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "U3", "N1", "N3", "S1", "S2", "P0", "P1", "P2", "B1", "JSR"}
+assert {c["verdict"] for c in certificates.values() if c["theorem"] == "P0"} == {"certified", "refuted"}
 assert any("mirrored" in c["proof"] for c in certificates.values())
 assert any("coefficients" in c.get("scheme", {}) for c in certificates.values())
 for theorem in ("U3", "JSR"):
@@ -164,7 +168,7 @@ for name, certificate in certificates.items():
             target[own] = kept
         target["more"] = 1
         assert not is_valid(changed), f"{name} with one more key in {path} fits the schema"
-    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "JSR"):
+    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "P0", "P1", "P2", "B1", "JSR"):
         for verdict in ("certified", "refuted", "undecided"):
             if (theorem, verdict) == (certificate["theorem"], certificate.get("verdict")):
                 continue

@@ -285,7 +285,7 @@ class MapSearch {
     if (denominator(point[axis]) <= short_denominator && seems_at(point) == Seems::critical && is_inside(interval, point[axis])) {
       return {point[axis]};
     }
-    const Rational margin = options_.tolerance / 20;
+    const Rational margin = options_.tolerance / 8;
     std::vector<Rational> cuts;
     for (const Rational& cut : {simplest_between(crossing - 2 * margin, crossing - margin),
                                 simplest_between(crossing + margin, crossing + 2 * margin)}) {
@@ -299,7 +299,7 @@ class MapSearch {
   std::optional<Rational> cut_beside_critical_end(const Interval& interval, const std::vector<Seems>& votes) const {
     const bool at_lower = votes[1] == Seems::critical;
     if (votes[0] != Seems::rough || at_lower == (votes[2] == Seems::critical)) return std::nullopt;
-    const Rational margin = options_.tolerance / 20, distance = interval.width() / 2;
+    const Rational margin = options_.tolerance / 8, distance = interval.width() / 2;
     if (distance <= 2 * margin) return std::nullopt;
     const Rational near = at_lower ? interval.lower + margin : interval.upper - 2 * margin;
     return simplest_between(near, near + margin);

@@ -46,7 +46,7 @@ ContractionProver::Attempt ContractionProver::attempt(const Box& box) const {
   if (std::optional<PolytopeWitness> polytope = find_polytope_on(box)) return {std::move(*polytope), {}, {}};
   if (level && !cheap && proves_norm(*level, box)) return {ContractionWitness{*level}, {}, {}};
   for (const std::vector<Rational>& point : resisting) {
-    if (is_point(box) || !find_polytope_on(point_box(point))) {
+    if (is_point(box) || !has_polytope_at(point)) {
       return {{}, fmt::format("no norm ||S_b^l|| with l <= {} and no polytope with at most {} vectors is found to show a contraction",
                               limits_.contractivity.max_level, limits_.polytope.max_vectors), point};
     }
@@ -87,8 +87,17 @@ Rational ContractionProver::cut(const Box& box, int axis) const {
                           interval.lower + Rational(fraction + slack) * interval.width());
 }
 
-/// The least level at which the norm at the point seems to be below 1; nothing when no level within the limits does.
 std::optional<int> ContractionProver::approx_level(const std::vector<Rational>& point) const {
+  const auto place = levels_.find(point);
+  return place != levels_.end() ? place->second : levels_.emplace(point, new_approx_level(point)).first->second;
+}
+
+bool ContractionProver::has_polytope_at(const std::vector<Rational>& point) const {
+  const auto place = has_polytope_.find(point);
+  return place != has_polytope_.end() ? place->second : has_polytope_.emplace(point, find_polytope_on(point_box(point)).has_value()).first->second;
+}
+
+std::optional<int> ContractionProver::new_approx_level(const std::vector<Rational>& point) const {
   const std::vector<double> norms = approx_contractivity_norms(b_, arity_, point, limits_.contractivity.max_level, enough);
   if (norms.back() >= enough) return std::nullopt;
   return static_cast<int>(norms.size());
@@ -120,9 +129,9 @@ std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& bo
     limits.precision = std::max(limits.precision, 60);
   }
   if (gap <= std::ldexp(1, -bits)) return std::nullopt;
-  // Where the gap varies much, many vectors would hardly be enough: smaller boxes are cheaper.
-  constexpr double greatest_quotient = 4;
-  constexpr std::size_t few_vectors = 120;
+  // The more the gap varies, the more vectors are needed, each dearer than the one before: smaller boxes cost less.
+  constexpr double greatest_quotient = 1.5;
+  constexpr std::size_t few_vectors = 250;
   if (const std::optional<Gaps> gaps = approx_gaps(box);
       gaps && std::max(gaps->lower, gaps->upper) > greatest_quotient * std::min(gaps->lower, gaps->upper)) {
     limits.max_vectors = std::min(limits.max_vectors, few_vectors);

@@ -5,6 +5,7 @@
 #include "proofs/certificate.hpp"
 #include "proofs/proof_limits.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -34,7 +35,10 @@ class ContractionProver {
   Rational cut(const Box& box, int axis) const;
 
  private:
+  /// The least level at which the norm at the point seems to be below 1; nothing when no level within the limits does.
   std::optional<int> approx_level(const std::vector<Rational>& point) const;
+  std::optional<int> new_approx_level(const std::vector<Rational>& point) const;
+  bool has_polytope_at(const std::vector<Rational>& point) const;
   bool proves_norm(int level, const Box& box) const;
   std::optional<PolytopeWitness> find_polytope_on(const Box& box) const;
   bool is_cheap(int level, const Box& box) const;
@@ -49,6 +53,9 @@ class ContractionProver {
   int arity_;
   const ProofLimits& limits_;
   const Stop& stop_;
+  /// What was found out at points: boxes have corners in common.
+  mutable std::map<std::vector<Rational>, std::optional<int>> levels_;
+  mutable std::map<std::vector<Rational>, bool> has_polytope_;
 };
 
 }  // namespace limes

@@ -155,6 +155,7 @@ void print_surface(const Scheme& scheme) {
   const RingRule& rings = scheme.surface->rings;
   line("around", rings.dual ? "extraordinary faces (dual scheme)" : "extraordinary vertices (primal scheme)");
   if (scheme.surface->virtual_points) line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
+  if (scheme.surface->virtual_points) return;
   for (const auto& [point, terms] : rings.given)
     line("new " + to_string(point), to_string(terms, scheme.surface->sequence.level_parameter));
 }

@@ -139,7 +139,7 @@ int RingScheme::given_reach() const {
 RingScheme read_ring_scheme(const Json& json, Budget& budget) {
   std::vector<std::string> keys{"kind", "name", "dual", "first_index", "mask", "rules"};
   const bool has_levels = json.is_object() && json.contains("level_parameter");
-  if (has_levels) keys.emplace_back("level_parameter");
+  if (has_levels) keys.insert(keys.end(), {"level_parameter", "parameters", "type"});
   const Reader reader(json, "scheme", "the scheme", keys);
   reader.is_first("kind", "surface", "surface");
   RingScheme scheme;
@@ -152,9 +152,13 @@ RingScheme read_ring_scheme(const Json& json, Budget& budget) {
     reader.fail("needs a name of letters, digits, '-', '_' and '.'");
   if (!reader.at("dual").is_boolean()) reader.fail("needs true or false as dual");
   scheme.dual = reader.at("dual").get<bool>();
-  if (has_levels) scheme.variables.push_back(reader.text(reader.at("level_parameter"), "level_parameter"));
-  if (has_levels && (!is_name(scheme.variables[0]) || scheme.variables[0] == "n"))
-    reader.fail("needs a name other than n as level_parameter");
+  if (has_levels) {
+    scheme.variables.push_back(reader.text(reader.at("level_parameter"), "level_parameter"));
+    scheme.angle = reader.text(reader.list("parameters", 1, 1)[0], "the angle");
+    scheme.hyperbolic = !reader.is_first("type", "trigonometric", "hyperbolic");
+    if (!is_name(scheme.variables[0]) || scheme.variables[0] == "n" || !is_name(scheme.angle))
+      reader.fail("needs names as parameter and level_parameter, the latter not n");
+  }
   scheme.variables.emplace_back("n");
 
   for (const Json& text : reader.list("mask", 1, 32))
@@ -180,7 +184,7 @@ RingScheme read_ring_scheme(const Json& json, Budget& budget) {
 }
 
 RingScheme limit_scheme(const RingScheme& scheme, Budget& budget) {
-  if (scheme.variables.size() == 1) return scheme;
+  if (!scheme.has_levels()) return scheme;
   RingScheme result = scheme;
   result.variables = {"n"};
   const auto substituted = [&](Fraction& x) {
@@ -293,7 +297,7 @@ RingBlocks ring_blocks(const RingScheme& scheme, int rings, std::optional<int> v
 
   // The reflection takes (a, b) of sector s to (b, a) of sector -s, and (a, 0) to (a, 0) of sector 1 - s. Let D be the permutation with
   // a factor omega on the spokes: D(omega) B(omega) = B(1/omega) D(omega).
-  const std::vector<std::size_t> image = mirrored_places(points, scheme.dual);
+  const std::vector<std::size_t>& image = blocks.image = mirrored_places(points, scheme.dual);
   const auto is_spoke = [&](std::size_t i) { return !scheme.dual && points[i].b == 0; };
   const auto zero_image = [&](std::size_t i) { return i < shift ? i : image[i - shift] + shift; };
   for (std::size_t i = 0; i < size + shift; ++i)
@@ -313,7 +317,8 @@ RingBlocks ring_blocks(const RingScheme& scheme, int rings, std::optional<int> v
   return blocks;
 }
 
-std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matrix, Budget& budget) {
+std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matrix, const std::vector<std::size_t>& image,
+                                                         Budget& budget) {
   const std::size_t size = matrix.size;
   std::vector<std::vector<bool>> reach(size, std::vector<bool>(size));  // Warshall
   budget.work(20. * static_cast<double>(size * size * size));
@@ -329,7 +334,8 @@ std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matri
     if (done[start]) continue;
     std::vector<std::size_t> part;
     for (std::size_t i = start; i < size; ++i)
-      if (reach[start][i] && reach[i][start]) part.push_back(i), done[i] = true;
+      if ((reach[start][i] && reach[i][start]) || (reach[image[start]][i] && reach[i][image[start]]))
+        part.push_back(i), done[i] = true;
     // Faddeev and LeVerrier: M_1 = A, c_{d-k} = -trace(M_k) / k, M_{k+1} = A (M_k + c_{d-k}).
     const std::size_t d = part.size();
     std::vector<Laurent> coefficients(d + 1), current(d * d);

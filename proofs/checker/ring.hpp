@@ -39,9 +39,12 @@ struct RingScheme {
   int last = 0;  ///< the mask's indices run from -last (dual: 1 - last) to last
   /// "n" and, for a nonstationary scheme, before it the level parameter.
   std::vector<std::string> variables;
+  std::string angle;  ///< of a nonstationary scheme, the parameter theta: mu_k = cos x_k (hyperbolic: cosh x_k), x_k = theta 2^{-(k+1)}
+  bool hyperbolic = false;
   std::vector<Fraction> mask;  ///< in the scheme's variables; n does not occur
   std::map<RingPoint, std::vector<RingTerm>> given;
 
+  bool has_levels() const { return variables.size() > 1; }
   int first() const { return dual ? 1 - last : -last; }
   /// The greatest coordinate of a point with a rule of its own; -1 without one.
   int given_reach() const;
@@ -81,6 +84,7 @@ struct RingMatrix {
 /// e^{2 pi i j/n}.
 struct RingBlocks {
   std::vector<RingPoint> points;
+  std::vector<std::size_t> image;  ///< of the points under the reflection of sector 0 (of a point of spoke 0: on spoke 1)
   RingMatrix zero;     ///< block 0, in x = 1/n; primal schemes: the vertex comes first
   RingMatrix first;    ///< blocks 1 and n - 1, in omega
   RingMatrix generic;  ///< the others, in omega
@@ -90,7 +94,14 @@ struct RingBlocks {
 /// under the reflections of the n-gon. \throws Rejected at "rings", "sum", "symmetry" or "scheme"
 RingBlocks ring_blocks(const RingScheme& scheme, int rings, std::optional<int> valence, Budget& budget);
 
-/// det(lambda - M) is a product of polynomials in lambda, one for each strongly connected part of M: c_0, .., c_d = 1 of each.
-std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matrix, Budget& budget);
+/// det(lambda - M) is a product of polynomials in lambda, c_0, .., c_d = 1 of each: one for every strongly connected part of M, made closed
+/// under an involution of the indices.
+std::vector<std::vector<Laurent>> characteristic_factors(const RingMatrix& matrix, const std::vector<std::size_t>& image,
+                                                         Budget& budget);
+
+/// What the spectrum says about surfaces, it says because: the curve scheme is C^1, by theorem U1 at this level; so many rings determine the
+/// limit near the vertex (face); and every control point of theirs but for the vertex has influence on it.
+/// \pre the only variable is n. \throws Rejected at "rings", "effective" or a step of theorem U1
+void prove_regular_part(const RingScheme& scheme, int rings, int level, Budget& budget);
 
 }  // namespace limes::checker

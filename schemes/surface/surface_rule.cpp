@@ -48,6 +48,11 @@ SurfaceRule surface_rule(std::string curve, MaskSequence sequence, std::map<Ring
   RingRule rings;
   for_all_masks(curve, sequence, [&](const Mask& mask) {
     RingRule rule = tensor_rule(mask);
+    if (!rule.dual && given.contains({0, 0})) {
+      for (const RingTerm& t : given.at({0, 0})) {
+        if (t.point != RingPoint{} && t.harmonic != 0) throw InputError("the rule of the vertex 0,0 consists of at(0,0) and means");
+      }
+    }
     rule.given = given;
     // Three rings around the invariant ones, so that limit patches can be had.
     rule.invariant_rings(rule.invariant_rings() + 1);

@@ -37,7 +37,7 @@ struct Star {
 };
 
 /// New point (a, b) of sector 0 in the refined mesh: face 4 f + k of that has the corners (old k, edge k, face, edge k - 1).
-Point3 refined_point(const Star& star, const QuadMesh& refined, int a, int b) {
+Point3 refined_point(const QuadMesh& refined, int a, int b) {
   const MeshIndex face = MeshIndex(std::min(a / 2, rings - 1) * rings + std::min(b / 2, rings - 1));
   const int x = a - 2 * std::min(a / 2, rings - 1), y = b - 2 * std::min(b / 2, rings - 1);  // 0, 1, 2
   const int corner = x < 2 ? (y < 2 ? 0 : 3) : (y < 2 ? 1 : 2);
@@ -74,7 +74,7 @@ TEST(RingRule, VirtualPointsAreThoseOfRefinedMeshes) {
             for (int s = 0; s < n; ++s) sum += weight / n * std::cos(2 * M_PI * t.harmonic * s / n) * old(s);
           }
         }
-        const Point3 expected = refined_point(star, refined, point.a, point.b);
+        const Point3 expected = refined_point(refined, point.a, point.b);
         EXPECT_LT(std::hypot(sum.x - expected.x, sum.y - expected.y, sum.z - expected.z), 1e-12)
             << "n = " << n << ", point " << point.a << "," << point.b;
       }

@@ -36,7 +36,8 @@ RichText assertion(const Scheme& scheme, const Claim& claim) {
   }
   if (claim.subject == ClaimSubject::zero_limits) return rich("The scheme has no continuous limits but zero.");
   const std::string smooth = fmt::format("$C^{{{}}}${}", claim.smoothness, claim.subject == ClaimSubject::projective_limits ? " in its projective version" : "");
-  const std::string knots = scheme.insertion_rule && !claim.negated ? ", for every knot sequence" : scheme.insertion_rule ? " for all knot sequences" : "";
+  const bool for_no_value = claim.negated && !scheme.parameters.empty() && !is_point(claim.region);
+  const std::string knots = !scheme.insertion_rule ? "" : !claim.negated ? ", for every knot sequence" : for_no_value ? " for all knot sequences" : " over some knot sequence";
   if (scheme.parameters.empty()) return rich(fmt::format("The scheme is {}{}{}.", claim.negated ? "not " : "", smooth, knots));
   const std::string region = region_latex(scheme, claim.region);
   if (is_point(claim.region)) return rich(fmt::format("For ${}${} the scheme is {}{}{}.", region, type, claim.negated ? "not " : "", smooth, knots));

@@ -4,18 +4,14 @@
 #include "proofs/certificate_text_impl.hpp"
 #include "proofs/mask_json_impl.hpp"
 #include "proofs/nonstationary/sequence_proof.hpp"
+#include "proofs/number_json_impl.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
+#include "proofs/surface/vertex_proof.hpp"
 
 namespace limes {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json region_to_json(const Box& region, const VariableNames& names) {
-  Json json = Json::object();
-  for (std::size_t k = 0; k < names.size(); ++k) json[names[k]] = to_string(region[k]);
-  return json;
-}
 
 Json leaf_to_json(const ProofLeaf& leaf, const VariableNames& names) {
   Json json{{"region", region_to_json(leaf.region, names)}};
@@ -107,21 +103,15 @@ Json scheme_to_json(const Certificate& certificate) {
   return json;
 }
 
-Json strings(const std::vector<Rational>& numbers) {
-  Json list = Json::array();
-  for (const Rational& x : numbers) list.push_back(to_string(x));
-  return list;
-}
-
 Json cone_to_json(const ConeProof& proof) {
   const ProjectiveContraction& contraction = proof.contraction;
-  Json json{{"cone", {{"lower", strings(contraction.cone.lower)}, {"upper", strings(contraction.cone.upper)}}},
+  Json json{{"cone", {{"lower", numbers_to_json(contraction.cone.lower)}, {"upper", numbers_to_json(contraction.cone.upper)}}},
             {"level", contraction.level}};
   if (!proof.roughness) return json;
   const ProjectiveRoughness& rough = *proof.roughness;
   json["word"] = rough.word;
-  json["dominant"] = {{"value", to_string(rough.dominant.value)}, {"vector", strings(rough.dominant.vector)}};
-  json["second"] = {{"value", to_string(rough.second.value)}, {"vector", strings(rough.second.vector)}};
+  json["dominant"] = {{"value", to_string(rough.dominant.value)}, {"vector", numbers_to_json(rough.dominant.vector)}};
+  json["second"] = {{"value", to_string(rough.second.value)}, {"vector", numbers_to_json(rough.second.vector)}};
   json["window"] = rough.window;
   return json;
 }
@@ -184,6 +174,8 @@ std::string to_string(Theorem theorem) {
     case Theorem::p0: return "P0";
     case Theorem::p1: return "P1";
     case Theorem::p2: return "P2";
+    case Theorem::e1: return "E1";
+    case Theorem::e2: return "E2";
   }
   throw InternalError("unknown theorem");
 }
@@ -192,12 +184,15 @@ int Certificate::level() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return highest_level(leaves->leaves);
   if (const auto* asymptotic = std::get_if<AsymptoticProof>(&proof)) return asymptotic->limit_level;
   if (const auto* cone = std::get_if<ConeProof>(&proof)) return cone->contraction.level;
+  if (const auto* vertex = std::get_if<VertexProof>(&proof)) return vertex->level;
   const auto* knots = std::get_if<KnotProof>(&proof);
   return knots ? highest_level(knots->uniform_leaves) : 0;
 }
 
 int Certificate::leaf_count() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return static_cast<int>(leaves->leaves.size());
+  if (const auto* vertex = std::get_if<VertexProof>(&proof))
+    return static_cast<int>(vertex->separators.size() + (vertex->all ? vertex->all->cells.size() : 0));
   const auto* knots = std::get_if<KnotProof>(&proof);
   if (!knots) return 1;
   std::size_t count = knots->uniform_leaves.size();
@@ -207,6 +202,7 @@ int Certificate::leaf_count() const {
 
 std::string to_json(const Certificate& certificate) {
   if (std::holds_alternative<MaskSequence>(certificate.definition)) return sequence_certificate_json(certificate);
+  if (std::holds_alternative<SurfaceRule>(certificate.definition)) return vertex_certificate_json(certificate);
   const Json json{{"format", "limes-certificate"},
                   {"version", 1},
                   {"scheme", scheme_to_json(certificate)},

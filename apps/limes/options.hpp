@@ -24,12 +24,15 @@ struct ListOptions : CommonOptions {};
 struct ShowOptions : CommonOptions {
   std::string scheme;
   bool latex = false;
+  std::optional<int> characteristic_map;  // the valence
+  std::vector<std::filesystem::path> outputs;
 };
 
 struct VerifyOptions : CommonOptions {
   std::vector<std::string> schemes;
   std::optional<std::string> claim;
   std::vector<std::string> parameters;  // "w=1/96", "w=[0,1/4]"
+  std::optional<std::string> valence;   // "5", "3..50", "[3, inf)"
   std::filesystem::path certificates = "certificates";
 };
 
@@ -90,9 +93,9 @@ struct DeriveOptions : CommonOptions {
   std::string domain;
   std::string shifts;
   std::vector<std::string> constraints;
-  std::string method = "samples";
-  int samples = 100000;
-  int precision = 53;
+  std::optional<std::string> method;
+  std::optional<int> samples;
+  std::optional<int> precision;
   std::optional<int> decimals;
   std::string rounding;
   std::string optimise;
@@ -175,6 +178,7 @@ struct ReportOptions : CommonOptions {
   std::optional<std::string> claim;
   std::vector<std::string> parameters;
   std::filesystem::path output;
+  std::optional<int> multiresolution;  // the greatest extension
   bool fragment = false;
   bool no_pdf = false;
   std::string format = "latex";   // "latex", "markdown"

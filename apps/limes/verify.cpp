@@ -27,7 +27,7 @@ class Verification {
                 {"leaves", 0, TextTable::Align::right}, {"time", 8, TextTable::Align::right}}) {
     const bool asked = options.claim || !options.parameters.empty();
     for (const Scheme& scheme : schemes) {
-      const std::vector<Claim> claims = claims_to_decide(scheme, options.claim, options.parameters);
+      const std::vector<Claim> claims = claims_to_decide(scheme, options.claim, options.parameters, options.valence);
       for (std::size_t k = 0; k < claims.size(); ++k) {
         results_.push_back({.scheme = &scheme, .claim = claims[k], .verdict = {}, .seconds = 0, .certificate = {}});
         files_.push_back(options.certificates / certificate_name(scheme, claims[k], k, asked));
@@ -40,7 +40,7 @@ class Verification {
   }
 
   int run() {
-    prepare_directory();
+    make_directory(options_.certificates);
     if (!options_.json && !options_.quiet) std::cout << table_.header();
     tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t k) { decide(k); }, tbb::simple_partitioner());
     progress_.clear();
@@ -53,14 +53,6 @@ class Verification {
   }
 
  private:
-  void prepare_directory() const {
-    std::error_code error;
-    fs::create_directories(options_.certificates, error);
-    if (error || !fs::is_directory(options_.certificates)) {
-      throw InputError(fmt::format("cannot make the directory '{}' for certificates", options_.certificates.string()));
-    }
-  }
-
   void decide(std::size_t k) {
     VerifiedClaim& result = results_[k];
     const auto begin = std::chrono::steady_clock::now();

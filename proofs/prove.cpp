@@ -258,12 +258,12 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
 
 Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
+  if (scheme.surface) return prove_for_surface(scheme, claim, limits, stop);
   if (claim.subject != ClaimSubject::limits && !is_plain_mask(scheme)) {
     Verdict verdict;
     verdict.reason = "projective schemes and zero limits are decided for uniform schemes without parameters only";
     return verdict;
   }
-  if (scheme.surface) return prove_for_surface(scheme, claim, limits, stop);
   if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
   if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;

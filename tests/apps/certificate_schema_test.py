@@ -110,10 +110,17 @@ with tempfile.TemporaryDirectory() as directory:
     for claim in ("reproduces {1, y^2}", "does not reproduce {y}"):
         subprocess.run([limes, "verify", "unified-curve", "--claim", claim, "--certificates", directory, "--quiet"], check=False,
                        stdout=subprocess.DEVNULL)
+    for scheme, claim, valences in (("catmull-clark", "C1", "[3, inf)"), ("doo-sabin", "C1", "[3, 5]"), ("doo-sabin", "spectral-condition", "4")):
+        subprocess.run([limes, "verify", scheme, "--claim", claim, "--valence", valences, "--certificates", directory, "--quiet"], check=True,
+                       stdout=subprocess.DEVNULL)
+        for path in pathlib.Path(directory).glob(scheme + ".asked*.json"):
+            path.rename(path.with_name(f"{scheme}.{claim}.{len(valences)}.json"))
+    subprocess.run([limes, "verify", "unified", "--param", "theta=0", "--certificates", directory, "--quiet"], check=True,
+                   stdout=subprocess.DEVNULL)
     for path in pathlib.Path(directory).glob("*.json"):
         certificates[path.name] = json.loads(path.read_text())
 
-assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2"}
+assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2", "E1", "E2"}
 assert any("mirrored" in c["proof"] for c in certificates.values())
 assert any("coefficients" in c["scheme"] for c in certificates.values())
 for name, certificate in certificates.items():
@@ -128,7 +135,7 @@ def objects(value, path=()):
         yield from objects(child, path + (key,))
 
 
-OPTIONAL = {"c", "distances", "mirrored"}
+OPTIONAL = {"c", "distances", "mirrored", "touch"}
 for name, certificate in certificates.items():
     for path in objects(certificate):
         changed = copy.deepcopy(certificate)
@@ -143,7 +150,7 @@ for name, certificate in certificates.items():
             target[own] = kept
         target["more"] = 1
         assert not is_valid(changed), f"{name} with one more key in {path} fits the schema"
-    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2"):
+    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "E1", "E2"):
         for verdict in ("certified", "refuted", "undecided"):
             if (theorem, verdict) == (certificate["theorem"], certificate["verdict"]):
                 continue

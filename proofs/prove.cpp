@@ -244,7 +244,7 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
 
 Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
-  if (claim.subject != ClaimSubject::limits && !is_plain_mask(scheme)) {
+  if (!scheme.surface && claim.subject != ClaimSubject::limits && !is_plain_mask(scheme)) {
     Verdict verdict;
     verdict.reason = "projective schemes and zero limits are decided for uniform schemes without parameters only";
     return verdict;

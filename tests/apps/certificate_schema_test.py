@@ -114,10 +114,17 @@ with tempfile.TemporaryDirectory() as directory:
     for name, text in (("one", ONE_SIDED), ("two", BY_COEFFICIENTS)):
         pathlib.Path(directory, name + ".toml").write_text(text)
     subprocess.run([limes, "verify", "four-point", "cr1", "a1-3-1", directory + "/one.toml", directory + "/two.toml",
-                    "unified-curve", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+                    "unified-curve", "doo-sabin", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
     for claim in ("reproduces {1, y^2}", "does not reproduce {y}"):
         subprocess.run([limes, "verify", "unified-curve", "--claim", claim, "--certificates", directory, "--quiet"], check=False,
                        stdout=subprocess.DEVNULL)
+    for scheme, claim, valences in (("catmull-clark", "C1", "[3, inf)"), ("doo-sabin", "C1", "[3, 5]"), ("doo-sabin", "spectral-condition", "4")):
+        subprocess.run([limes, "verify", scheme, "--claim", claim, "--valence", valences, "--certificates", directory, "--quiet"], check=True,
+                       stdout=subprocess.DEVNULL)
+        for path in pathlib.Path(directory).glob(scheme + ".asked*.json"):
+            path.rename(path.with_name(f"{scheme}.{claim}.{len(valences)}.json"))
+    subprocess.run([limes, "verify", "unified", "--param", "theta=0", "--certificates", directory, "--quiet"], check=True,
+                   stdout=subprocess.DEVNULL)
     # Exact and enclosed exponents, with and without a proof of stability, and radii with and without blocks.
     pathlib.Path(directory, "three.toml").write_text(UNSTABLE)
     for name, word in (("pair", [[["1", "1"], ["0", "1"]], [["1", "0"], ["1", "1"]]]), ("turn", [[["3/5", "-4/5"], ["4/5", "3/5"]]])):
@@ -133,7 +140,7 @@ with tempfile.TemporaryDirectory() as directory:
     for path in pathlib.Path(directory).glob("*.json"):
         certificates[path.name] = json.loads(path.read_text())
 
-assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "U3", "N1", "N3", "S1", "S2", "P0", "P1", "P2", "B1", "JSR"}
+assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "U3", "N1", "N3", "S1", "S2", "P0", "P1", "P2", "E1", "E2", "B1", "JSR"}
 assert {c["verdict"] for c in certificates.values() if c["theorem"] == "P0"} == {"certified", "refuted"}
 assert any("mirrored" in c["proof"] for c in certificates.values())
 assert any("coefficients" in c.get("scheme", {}) for c in certificates.values())
@@ -153,7 +160,7 @@ def objects(value, path=()):
         yield from objects(child, path + (key,))
 
 
-OPTIONAL = {"c", "distances", "mirrored", "polynomial in claim"}
+OPTIONAL = {"c", "distances", "mirrored", "touch", "polynomial in claim"}
 for name, certificate in certificates.items():
     for path in objects(certificate):
         changed = copy.deepcopy(certificate)
@@ -168,7 +175,7 @@ for name, certificate in certificates.items():
             target[own] = kept
         target["more"] = 1
         assert not is_valid(changed), f"{name} with one more key in {path} fits the schema"
-    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "P0", "P1", "P2", "B1", "JSR"):
+    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "P0", "P1", "P2", "E1", "E2", "B1", "JSR"):
         for verdict in ("certified", "refuted", "undecided"):
             if (theorem, verdict) == (certificate["theorem"], certificate.get("verdict")):
                 continue

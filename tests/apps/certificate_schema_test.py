@@ -106,14 +106,16 @@ with tempfile.TemporaryDirectory() as directory:
     for name, text in (("one", ONE_SIDED), ("two", BY_COEFFICIENTS)):
         pathlib.Path(directory, name + ".toml").write_text(text)
     subprocess.run([limes, "verify", "four-point", "cr1", "a1-3-1", directory + "/one.toml", directory + "/two.toml",
-                    "unified-curve", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+                    "unified-curve", "doo-sabin", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
     for claim in ("reproduces {1, y^2}", "does not reproduce {y}"):
         subprocess.run([limes, "verify", "unified-curve", "--claim", claim, "--certificates", directory, "--quiet"], check=False,
                        stdout=subprocess.DEVNULL)
+    subprocess.run([limes, "verify", "unified", "--claim", "spectral-condition", "--valence", "3..5", "--certificates", directory, "--quiet"], check=True,
+                   stdout=subprocess.DEVNULL)
     for path in pathlib.Path(directory).glob("*.json"):
         certificates[path.name] = json.loads(path.read_text())
 
-assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2"}
+assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2", "E1", "E2"}
 assert any("mirrored" in c["proof"] for c in certificates.values())
 assert any("coefficients" in c["scheme"] for c in certificates.values())
 for name, certificate in certificates.items():
@@ -128,7 +130,7 @@ def objects(value, path=()):
         yield from objects(child, path + (key,))
 
 
-OPTIONAL = {"c", "distances", "mirrored"}
+OPTIONAL = {"c", "distances", "mirrored", "touch"}
 for name, certificate in certificates.items():
     for path in objects(certificate):
         changed = copy.deepcopy(certificate)
@@ -143,7 +145,7 @@ for name, certificate in certificates.items():
             target[own] = kept
         target["more"] = 1
         assert not is_valid(changed), f"{name} with one more key in {path} fits the schema"
-    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2"):
+    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "E1", "E2"):
         for verdict in ("certified", "refuted", "undecided"):
             if (theorem, verdict) == (certificate["theorem"], certificate["verdict"]):
                 continue

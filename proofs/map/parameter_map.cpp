@@ -232,7 +232,9 @@ class MapSearch {
     const Interval& interval = cell[axis];
     const Seems middle = votes[0];
     if (middle == Seems::smooth && votes[1] != Seems::rough && votes[2] != Seems::rough) {
-      // A critical end does not belong to the smooth range: the cell is open there, and the end a cell of its own.
+      // At a critical end the uniform scheme is not smooth; a non-uniform one may be, if all knot ratios but the limit 0 are uncritical.
+      // Otherwise the cell is open there, and the end a cell of its own.
+      if (scheme_.insertion_rule && (votes[1] == Seems::critical || votes[2] == Seems::critical) && prove_cell(cell, false, record)) return record;
       Box open = cell;
       if (votes[1] == Seems::critical) open[axis].lower_open = true;
       if (votes[2] == Seems::critical) open[axis].upper_open = true;

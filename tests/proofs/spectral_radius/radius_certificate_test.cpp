@@ -3,6 +3,7 @@
 #include "algebra/number/read_rational.hpp"
 #include "proofs/checker/checker.hpp"
 #include "schemes/catalogue.hpp"
+#include "tests/analysis/spectral_radius/families.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,8 @@
 #include <fstream>
 
 using namespace limes;
+using test::golden;
+using test::matrix;
 
 namespace {
 
@@ -23,14 +26,6 @@ void keep(const std::string& name, const std::string& text) {
   std::ofstream(directory / (name + ".json")) << text;
 }
 
-RationalMatrix matrix(const std::vector<std::vector<Rational>>& rows) {
-  RationalMatrix result(int(rows.size()), int(rows.front().size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < rows[i].size(); ++j) result(int(i), int(j)) = rows[i][j];
-  }
-  return result;
-}
-
 std::string jsr_certificate(const MatrixFamily& family, int digits) {
   return prove_spectral_radius(family, bound_spectral_radius(family, {digits, {}}, {}));
 }
@@ -40,7 +35,6 @@ std::string holder_certificate(const std::string& name, const std::vector<Ration
   return prove_hoelder_exponent(scheme, point, bound_hoelder_exponent(at(scheme.mask, point), 6, {}, {}));
 }
 
-MatrixFamily golden() { return {matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})}; }
 MatrixFamily blocks() {
   return {matrix({{1, 5, 7}, {0, 1, 1}, {0, 0, Rational(1, 2)}}), matrix({{1, 0, 3}, {1, 1, 0}, {0, 0, Rational(1, 3)}})};
 }

@@ -100,8 +100,18 @@ std::string first_latex_error(const std::string& log) {
 
 void run_latexmk(const fs::path& source, const std::string& engine, const Stop& stop) {
   const fs::path figures = fs::absolute(source).parent_path() / "figures.tex";
-  if (fs::exists(figures)) compile(figures, engine, stop);
-  compile(source, engine, stop);
+  for (const fs::path& file : {figures, source}) {
+    if (file == figures && !fs::exists(figures)) continue;
+    try {
+      compile(file, engine, stop);
+    } catch (const InputError& error) {
+      // LuaTeX takes as much memory as there is.
+      if (engine == "lualatex" || error.reason().find("TeX capacity exceeded") == std::string::npos) throw;
+      std::error_code ignored;
+      fs::remove(fs::path(file).replace_extension(".log"), ignored);
+      compile(file, "lualatex", stop);
+    }
+  }
 }
 
 }  // namespace limes

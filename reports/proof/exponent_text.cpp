@@ -106,7 +106,7 @@ std::optional<DecidedExponent> decide_exponent(const Scheme& scheme, const std::
     decided.certificate_json = prove_hoelder_exponent(scheme, point, decided.exponent);
     for (std::size_t k = 0; k < point.size(); ++k) decided.certificate += fmt::format(".{}-{}", scheme.parameters[k].name, to_string(point[k]));
     for (char& c : decided.certificate) c = c == '/' ? '_' : c;
-    decided.certificate += ".hoelder.json";
+    decided.certificate += ".holder.json";
     return decided;
   } catch (const LimitError&) {
     return std::nullopt;

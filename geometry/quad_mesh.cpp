@@ -155,11 +155,22 @@ QuadMesh quad_mesh(const PolygonMesh& mesh) {
     return {mesh.points, std::move(corners), mesh.sharp};
   }
   std::vector<Point3> points = mesh.points;
-  std::map<std::pair<MeshIndex, MeshIndex>, MeshIndex> midpoints;
-  const auto midpoint = [&](MeshIndex a, MeshIndex b) {
-    const auto [place, is_new] = midpoints.try_emplace(std::minmax(a, b), MeshIndex(points.size()));
+  // Errors of the halves of an edge would name vertices and faces that the file has not: so edges are checked here.
+  struct Edge {
+    MeshIndex midpoint;
+    MeshIndex origin, face;  // of the first half-edge
+    int faces = 0;
+  };
+  std::map<std::pair<MeshIndex, MeshIndex>, Edge> edges;
+  const auto midpoint = [&](MeshIndex a, MeshIndex b) { return edges.at(std::minmax(a, b)).midpoint; };
+  const auto add_edge = [&](MeshIndex a, MeshIndex b, std::size_t f) {
+    const auto [place, is_new] = edges.try_emplace(std::minmax(a, b), Edge{MeshIndex(points.size()), a, MeshIndex(f)});
+    Edge& edge = place->second;
     if (is_new) points.push_back(0.5 * (mesh.points[a] + mesh.points[b]));
-    return place->second;
+    if (++edge.faces > 2) throw InputError(fmt::format("the edge of vertices {} and {} has more than two faces", std::min(a, b) + 1, std::max(a, b) + 1));
+    if (!is_new && edge.origin == a)
+      throw InputError(fmt::format("faces {} and {} have opposite orientations at the edge of vertices {} and {}", edge.face + 1, f + 1,
+                                   std::min(a, b) + 1, std::max(a, b) + 1));
   };
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto& face = mesh.faces[f];
@@ -172,6 +183,7 @@ QuadMesh quad_mesh(const PolygonMesh& mesh) {
         throw InputError(fmt::format("face {} has vertex {} twice", f + 1, face[k] + 1));
       sum += mesh.points[face[k]];
     }
+    for (std::size_t k = 0; k < face.size(); ++k) add_edge(face[k], face[(k + 1) % face.size()], f);
     const auto centre = MeshIndex(points.size());
     points.push_back((1. / double(face.size())) * sum);
     for (std::size_t k = 0; k < face.size(); ++k) {
@@ -182,10 +194,10 @@ QuadMesh quad_mesh(const PolygonMesh& mesh) {
   }
   std::vector<std::pair<MeshIndex, MeshIndex>> sharp;
   for (const auto& [a, b] : mesh.sharp) {
-    const auto found = midpoints.find(std::minmax(a, b));
-    if (found == midpoints.end()) throw InputError(fmt::format("the sharp line of vertices {} and {} is no edge", a + 1, b + 1));
-    sharp.emplace_back(a, found->second);
-    sharp.emplace_back(found->second, b);
+    const auto found = edges.find(std::minmax(a, b));
+    if (found == edges.end()) throw InputError(fmt::format("the sharp line of vertices {} and {} is no edge", a + 1, b + 1));
+    sharp.emplace_back(a, found->second.midpoint);
+    sharp.emplace_back(found->second.midpoint, b);
   }
   return {std::move(points), std::move(corners), sharp};
 }

@@ -6,6 +6,7 @@
 #include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/number_json_impl.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
+#include "proofs/surface/vertex_proof.hpp"
 
 namespace limes {
 namespace {
@@ -173,6 +174,8 @@ std::string to_string(Theorem theorem) {
     case Theorem::p0: return "P0";
     case Theorem::p1: return "P1";
     case Theorem::p2: return "P2";
+    case Theorem::e1: return "E1";
+    case Theorem::e2: return "E2";
   }
   throw InternalError("unknown theorem");
 }
@@ -181,12 +184,15 @@ int Certificate::level() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return highest_level(leaves->leaves);
   if (const auto* asymptotic = std::get_if<AsymptoticProof>(&proof)) return asymptotic->limit_level;
   if (const auto* cone = std::get_if<ConeProof>(&proof)) return cone->contraction.level;
+  if (const auto* vertex = std::get_if<VertexProof>(&proof)) return vertex->level;
   const auto* knots = std::get_if<KnotProof>(&proof);
   return knots ? highest_level(knots->uniform_leaves) : 0;
 }
 
 int Certificate::leaf_count() const {
   if (const auto* leaves = std::get_if<LeafProof>(&proof)) return static_cast<int>(leaves->leaves.size());
+  if (const auto* vertex = std::get_if<VertexProof>(&proof))
+    return static_cast<int>(vertex->separators.size() + (vertex->all ? vertex->all->cells.size() : 0));
   const auto* knots = std::get_if<KnotProof>(&proof);
   if (!knots) return 1;
   std::size_t count = knots->uniform_leaves.size();
@@ -196,6 +202,7 @@ int Certificate::leaf_count() const {
 
 std::string to_json(const Certificate& certificate) {
   if (std::holds_alternative<MaskSequence>(certificate.definition)) return sequence_certificate_json(certificate);
+  if (std::holds_alternative<SurfaceRule>(certificate.definition)) return vertex_certificate_json(certificate);
   const Json json{{"format", "limes-certificate"},
                   {"version", 1},
                   {"scheme", scheme_to_json(certificate)},

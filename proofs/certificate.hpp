@@ -36,6 +36,10 @@ enum class Theorem {
   p1,
   /// It is not C^1, by a visible eigenvalue of a word.
   p2,
+  /// The spectral condition of a surface scheme at extraordinary vertices. [Reif 1995; Peters & Reif 2008]
+  e1,
+  /// With it, a regular and injective characteristic map proves C^1 at extraordinary vertices. [Reif 1995; Zorin 2000]
+  e2,
 };
 
 std::string to_string(Theorem theorem);
@@ -121,21 +125,63 @@ struct ZeroLimitProof {
   std::optional<std::vector<int>> word;
 };
 
+/// c = cos(2 pi/n) between the last cell's end and this one's: one eigenvalue of Fourier block 1 has a modulus above the separator, and
+/// it lies in the interval `root`.
+struct CosineCell {
+  Rational to, separator;
+  Interval root;
+};
+
+/// Of the spectral condition for all valences n >= from: cells from `start` to 1, and a bound of the other eigenvalues of blocks that no cell
+/// knows. Where the second eigenvalue of block 0 has the same limit as the subdominant one, as n grows, it alone is above `touch`.
+struct AllValencesProof {
+  int from = 3;
+  Rational start, bound;
+  std::optional<Rational> touch;
+  std::vector<CosineCell> cells;
+};
+
+/// Characteristic maps are regular and injective: how often the annulus is subdivided, for each single valence, and for all others on
+/// intervals of cos(pi/n) from `start` to 1.
+struct CharacteristicMapProof {
+  struct Piece {
+    Rational to;
+    int level = 0;
+  };
+  std::vector<int> levels;
+  Rational start;
+  std::vector<Piece> pieces;
+};
+
+/// The witness data of Theorem E1 and, with a map, of Theorem E2.
+struct VertexProof {
+  int rings = 1;
+  /// Of the curve scheme's contraction (U1 for C^1).
+  int level = 1;
+  /// From which on the rules are defined by one test, in a nonstationary scheme.
+  int from_level = 0;
+  /// Of the claim's first valence and the next ones: only 1 and the subdominant eigenvalue have a modulus above it.
+  std::vector<Rational> separators;
+  /// Of the others, when there is no last valence.
+  std::optional<AllValencesProof> all;
+  std::optional<CharacteristicMapProof> map;
+};
+
 /// A complete proof of a verdict, self-contained: docs/certificate.md defines its JSON form and what limes-check verifies.
 struct Certificate {
   std::string scheme;
   VariableNames parameters;
-  std::variant<Mask, InsertionRuleText, MaskSequence> definition;
+  std::variant<Mask, InsertionRuleText, MaskSequence, SurfaceRule> definition;
   Claim claim;
   /// certified or refuted
   Outcome verdict = Outcome::certified;
   Theorem theorem = Theorem::u1;
-  using Proof = std::variant<LeafProof, KnotProof, AsymptoticProof, SpaceProof, ConeProof, ZeroLimitProof>;
+  using Proof = std::variant<LeafProof, KnotProof, AsymptoticProof, SpaceProof, ConeProof, ZeroLimitProof, VertexProof>;
   Proof proof;
 
   /// Highest level of a contraction leaf, the level of a contraction over a cone, 0 without one.
   int level() const;
-  /// Number of boxes of the proof.
+  /// Number of boxes of the proof; of a proof about vertices, of valences and cells.
   int leaf_count() const;
 };
 

@@ -5,6 +5,7 @@
 #include "proofs/checker/checker.hpp"
 #include "proofs/nonstationary/sequence_proof.hpp"
 #include "proofs/nonuniform/knot_proof.hpp"
+#include "proofs/surface/vertex_proof.hpp"
 #include "proofs/uniform/smoothness_proof.hpp"
 #include "proofs/unity/projective_proof.hpp"
 #include "schemes/nonuniform/normalized_rule.hpp"
@@ -153,6 +154,7 @@ std::string describe_proof(const Certificate& certificate) {
                        certificate.parameters.front());
   }
   if (std::holds_alternative<SpaceProof>(certificate.proof)) return describe_space_proof(certificate);
+  if (std::holds_alternative<VertexProof>(certificate.proof)) return describe_vertex_proof(certificate);
   return fmt::format("equal intervals: contraction; all other eigenvalues at an isolated knot ratio are below 2^-{}", m);
 }
 
@@ -168,6 +170,7 @@ Verdict conclude(const Scheme& scheme, const Claim& claim, Outcome outcome, Atte
                           .proof = std::move(*attempt.proof)};
   if (scheme.insertion_rule) certificate.definition = normalized_text(*scheme.insertion_rule);
   if (scheme.sequence) certificate.definition = *scheme.sequence;
+  if (scheme.surface) certificate.definition = *scheme.surface;
   verdict.reason = describe_proof(certificate);
   verdict.certificate_json = to_json(certificate);
   verdict.certificate = std::move(certificate);
@@ -195,6 +198,19 @@ std::optional<MultivariatePolynomial> possible_pole(const Scheme& scheme, const 
     if (!d.is_constant() && prove_strict_sign(d, region) == 0) return d;
   }
   return std::nullopt;
+}
+
+/// What is found here is found in floating point: it is undecided what the checker does not accept.
+Verdict prove_for_surface(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
+  VertexAttempt attempt = prove_vertex_claim(scheme, claim, limits, stop);
+  if (attempt.proof) {
+    const Theorem theorem = attempt.proof->map ? Theorem::e2 : Theorem::e1;
+    return conclude(scheme, claim, Outcome::certified,
+                    {.proof = std::move(*attempt.proof), .theorem = theorem, .reason = {}, .failing_point = {}, .failing_ratio = {}});
+  }
+  Verdict undecided;
+  undecided.reason = attempt.reason;
+  return undecided;
 }
 
 Verdict prove_for_sequence(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
@@ -233,14 +249,10 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
     verdict.reason = "projective schemes and zero limits are decided for uniform schemes without parameters only";
     return verdict;
   }
-  if (scheme.surface) {
-    Verdict verdict;
-    verdict.reason = "the smoothness of surface schemes is not decided by this claim";
-    return verdict;
-  }
   if (!scheme.sequence && claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
   try {
+    if (scheme.surface) return prove_for_surface(scheme, claim, limits, stop);
     if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
     if (auto reason = beyond_checker(scheme)) {
       undecided.reason = std::move(*reason);

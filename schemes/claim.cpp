@@ -27,6 +27,7 @@ constexpr const char* space_verbs[2][2] = {{"reproduces ", "generates "}, {"does
 std::string statement(const Claim& claim) {
   if (claim.space) return space_verbs[claim.negated][claim.space->generates] + to_string(claim.space->functions);
   if (claim.subject == ClaimSubject::zero_limits) return "only zero limits";
+  if (claim.subject == ClaimSubject::vertex_spectrum) return "spectral-condition";
   return fmt::format("{}{}C{}", claim.negated ? "not " : "", claim.subject == ClaimSubject::projective_limits ? "projective " : "", claim.smoothness);
 }
 
@@ -47,6 +48,10 @@ Claim read_statement(const std::string& text) {
     claim.subject = ClaimSubject::zero_limits;
     return claim;
   }
+  if (text == "spectral-condition") {
+    claim.subject = ClaimSubject::vertex_spectrum;
+    return claim;
+  }
   if (rest.starts_with("not ")) {
     claim.negated = true;
     rest.remove_prefix(4);
@@ -64,8 +69,8 @@ Claim read_statement(const std::string& text) {
     read = error == std::errc{} && end == rest.data() + rest.size();
   }
   if (!read) {
-    throw InputError(fmt::format("claim '{}': expected \"C<m>\" or \"not C<m>\", both also of the projective scheme (\"projective C0\"), \"only zero limits\", or, of a "
-                                 "nonstationary scheme, \"reproduces {{1, y}}\" and the like", text));
+    throw InputError(fmt::format("claim '{}': expected \"C<m>\" or \"not C<m>\", both also of the projective scheme (\"projective C0\"), \"only zero limits\", of a "
+                                 "surface scheme \"spectral-condition\", or, of a nonstationary one, \"reproduces {{1, y}}\" and the like", text));
   }
   return claim;
 }

@@ -2,6 +2,7 @@
 
 #include "algebra/polynomial/box.hpp"
 #include "schemes/nonstationary/exponential_function.hpp"
+#include "schemes/surface/valence_range.hpp"
 
 #include <optional>
 #include <string>
@@ -20,8 +21,8 @@ struct SpaceStatement {
   std::vector<ExponentialFunction> functions;
 };
 /// What a claim is about: the scheme itself; its projective version, which refines weights that start as ones together with weighted points and divides
-/// by them; or the statement that the scheme has no continuous limits but zero.
-enum class ClaimSubject { limits, projective_limits, zero_limits };
+/// by them; the statement that the scheme has no continuous limits but zero; or the spectral condition at extraordinary vertices.
+enum class ClaimSubject { limits, projective_limits, zero_limits, vertex_spectrum };
 
 /// A statement about a scheme, as a scheme file makes it: "C^m for every parameter value in the region", or, negated, "not C^m
 /// at any parameter value in the region". The source or the reader's hope may be wrong: then another outcome is expected and
@@ -34,6 +35,8 @@ struct Claim {
   /// Of a nonstationary scheme.
   AngleType type = AngleType::trigonometric;
   ClaimSubject subject = ClaimSubject::limits;
+  /// Of a surface scheme: the valences of the extraordinary vertices (faces) that it is about.
+  std::optional<ValenceRange> valences = std::nullopt;
   /// One interval per parameter of the scheme, in the scheme's order.
   Box region;
   Outcome expected = Outcome::certified;
@@ -43,7 +46,11 @@ struct Claim {
   int line = 0;
 };
 
-/// "C2" or "not C2"; "reproduces {1, y, cos, sin}", "does not generate {y^2}"; "projective C0", "not projective C1"; "only zero limits".
+/// "C^m" or "not C^m" of the scheme itself.
+inline bool is_about_smoothness(const Claim& claim) { return !claim.space && claim.subject == ClaimSubject::limits; }
+
+/// "C2" or "not C2"; "reproduces {1, y, cos, sin}", "does not generate {y^2}"; "projective C0", "not projective C1"; "only zero limits";
+/// "spectral-condition".
 std::string statement(const Claim& claim);
 
 /// Reads what statement() writes, 0 <= m <= 64, into a claim without a region. \throws InputError

@@ -9,8 +9,9 @@
 namespace limes {
 
 AngleType type_from_settings(const Scheme& scheme, const std::vector<std::string>& settings) {
-  if (!scheme.sequence) throw InternalError("a scheme without types");
-  AngleType type = scheme.sequence->types.front().type;
+  const MaskSequence* sequence = scheme.level_sequence();
+  if (!sequence) throw InternalError("a scheme without types");
+  AngleType type = sequence->types.front().type;
   bool given = false;
   for (const std::string& setting : settings) {
     if (!setting.starts_with("type=")) continue;
@@ -18,7 +19,7 @@ AngleType type_from_settings(const Scheme& scheme, const std::vector<std::string
     given = true;
     const std::string name = setting.substr(5);
     if (name == "polynomial") continue;  // theta = 0 of any type
-    const auto& types = scheme.sequence->types;
+    const auto& types = sequence->types;
     const auto found = std::find_if(types.begin(), types.end(), [&](const auto& range) { return to_string(range.type) == name; });
     if (found == types.end()) throw InputError(fmt::format("--param {}: {} has no such type", setting, scheme.name));
     type = found->type;
@@ -32,10 +33,11 @@ void require_one_mask(const Scheme& scheme, const std::string& verb) {
 
 Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& settings) {
   Box region = scheme.parameter_box();
-  if (scheme.sequence) region = {scheme.sequence->find(type_from_settings(scheme, settings))->angles};
+  const MaskSequence* sequence = scheme.level_sequence();
+  if (sequence) region = {sequence->find(type_from_settings(scheme, settings))->angles};
   const Box widest = region;
   std::vector<bool> given(region.size(), false);
-  const bool polynomial = scheme.sequence && std::count(settings.begin(), settings.end(), "type=polynomial") > 0;
+  const bool polynomial = sequence && std::count(settings.begin(), settings.end(), "type=polynomial") > 0;
   if (polynomial) {
     region.front() = Interval::point(0);
     given.front() = true;
@@ -44,7 +46,7 @@ Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& s
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) throw InputError(fmt::format("--param {}: expected NAME=VALUE", setting));
     const std::string name = setting.substr(0, equals);
-    if (scheme.sequence && name == "type") continue;
+    if (sequence && name == "type") continue;
     std::size_t k = 0;
     while (k < region.size() && scheme.parameters[k].name != name) ++k;
     if (k == region.size()) throw InputError(fmt::format("--param {}: {} has no parameter '{}'", setting, scheme.name, name));
@@ -52,7 +54,7 @@ Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& s
     given[k] = true;
     try {
       const std::string value = setting.substr(equals + 1);
-      region[k] = scheme.sequence ? read_angles(value) : read_interval(value);
+      region[k] = sequence ? read_angles(value) : read_interval(value);
     } catch (const InputError& error) {
       throw InputError(fmt::format("--param {}: {}", setting, error.reason()));
     }
@@ -94,8 +96,13 @@ std::string region_text(const Scheme& scheme, const Box& region) {
 }
 
 std::string region_text(const Scheme& scheme, const Claim& claim) {
-  const std::string region = region_text(scheme, claim.region);
-  return scheme.sequence && scheme.sequence->types.size() > 1 ? fmt::format("{}, {}", region, to_string(claim.type)) : region;
+  std::string region = region_text(scheme, claim.region);
+  const MaskSequence* sequence = scheme.level_sequence();
+  if (sequence && sequence->types.size() > 1) region = fmt::format("{}, {}", region, to_string(claim.type));
+  if (!claim.valences) return region;
+  const bool one = claim.valences->last == claim.valences->first;
+  const std::string valences = fmt::format("n {} {}", one ? "=" : "in", to_string(*claim.valences));
+  return scheme.parameters.empty() ? valences : fmt::format("{}, {}", valences, region);
 }
 
 std::optional<Rational> take_setting(std::vector<std::string>& settings, const std::string& name) {

@@ -29,7 +29,7 @@ std::vector<Rational> point_from_settings(const Scheme& scheme, const std::vecto
 /// "w in [0, 1/4], mu = 1/9", "-" without parameters; ends of many digits as decimals.
 std::string region_text(const Scheme& scheme, const Box& region);
 
-/// The region of a claim, with the type when the scheme has several.
+/// The region of a claim, with the type when the scheme has several, and with the valences that it is about: "n in [3, 50], theta in [0, 3]".
 std::string region_text(const Scheme& scheme, const Claim& claim);
 
 /// Takes "name=value" for something that is no parameter of the scheme, such as the knot ratio gamma, out of the settings; nothing when it is not

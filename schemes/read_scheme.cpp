@@ -7,6 +7,7 @@
 #include "schemes/scheme.hpp"
 #include "schemes/surface/ring_expression.hpp"
 #include "schemes/table_reader_impl.hpp"
+#include "schemes/unity/weight_table_impl.hpp"
 
 #include <fmt/format.h>
 
@@ -294,8 +295,14 @@ Claim read_claim(TableReader reader, const Scheme& scheme) {
   }
   claim.line = reader.line();
   claim.region = scheme.parameter_box();
-  if (scheme.sequence) read_claim_type(reader, *scheme.sequence, claim);
+  if (const MaskSequence* sequence = scheme.level_sequence()) read_claim_type(reader, *sequence, claim);
   if (claim.space && !scheme.sequence) reader.fail("only nonstationary schemes have claims about reproduction and generation");
+  if (claim.subject == ClaimSubject::vertex_spectrum && !scheme.surface) reader.fail("only surface schemes have claims about a spectral condition");
+  if (scheme.surface) {
+    claim.valences = ValenceRange{};
+    if (const toml::node* node = reader.find("valence"))
+      claim.valences = reader.located(*node, "valence", [&] { return read_valences(reader.text(*node, "valence")); });
+  }
   const Box widest = claim.region;
   if (const toml::node* node = reader.find("region")) {
     TableReader region = reader.table(*node, "region");
@@ -378,6 +385,12 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
     read_nonstationary(reader.table(reader.require("nonstationary"), "[nonstationary]"), scheme);
   } else {
     read_nonuniform(reader.table(reader.require("nonuniform"), "[nonuniform]"), scheme);
+  }
+  if (const toml::node* node = reader.find("weight")) {
+    if (scheme.kind != SchemeKind::uniform || !scheme.parameters.empty() || scheme.mask.arity != 2) {
+      reader.fail(*node, "[weight] belongs to uniform binary schemes without parameters");
+    }
+    scheme.weight = read_weight_table(reader.table(*node, "[weight]"));
   }
   if (const toml::node* node = reader.find("claims")) {
     const auto* claims = node->as_array();

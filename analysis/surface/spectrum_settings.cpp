@@ -39,6 +39,14 @@ LevelParameter SpectrumSettings::at_level(int k) const {
           }};
 }
 
+LevelParameter SpectrumSettings::from_level(int k) const {
+  if (mu) return {mu, {}};
+  return {std::nullopt, [first = at_level(k)](int bits) {
+            const Interval x = first.exact ? Interval::point(*first.exact) : first.enclosure(bits);
+            return Interval{std::min(x.lower, Rational(1)), std::max(x.upper, Rational(1))};
+          }};
+}
+
 SpectrumSettings spectrum_settings(const Scheme& scheme, const std::vector<std::string>& given) {
   if (!scheme.surface) throw InputError(fmt::format("{} is no surface scheme", scheme.name));
   const MaskSequence& sequence = scheme.surface->sequence;

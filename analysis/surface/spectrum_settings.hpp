@@ -15,6 +15,8 @@ struct SpectrumSettings {
 
   /// At level k. \pre k >= 0
   LevelParameter at_level(int k) const;
+  /// All of the levels k, k + 1, .. and their limit at once: enclosures are the interval between mu_k and 1, and what is enclosed for it holds for all.
+  LevelParameter from_level(int k) const;
 };
 
 /// From "theta=pi/3", "type=hyperbolic" or "mu=1" (names as the curve scheme has them); without settings the limit mu = 1.

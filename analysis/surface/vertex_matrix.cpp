@@ -41,10 +41,10 @@ VertexBlock block_with(const RingRule& rule, int rings, bool with_centre, bool c
 using Place = std::tuple<RingPoint, int, int>;
 using Weights = std::map<Place, RationalFunction>;
 
-Weights weights_of(const std::vector<RingTerm>& terms) {
+Weights weights_of(bool dual, const std::vector<RingTerm>& terms) {
   Weights sums;
   for (const RingTerm& t : terms) {
-    const bool centre = t.point == RingPoint{} && t.harmonic < 0;
+    const bool centre = !dual && t.point == RingPoint{};
     auto [place, is_new] = sums.emplace(Place{t.point, centre ? 0 : t.sector, t.harmonic}, t.weight);
     if (!is_new) place->second += t.weight;
   }
@@ -217,7 +217,7 @@ bool mirror_symmetric(const RingRule& rule, int rings) {
       }
       t.point = image(t.point);
     }
-    if (weights_of(mirrored) != weights_of(rule.at(image(point)))) return false;
+    if (weights_of(rule.dual, mirrored) != weights_of(rule.dual, rule.at(image(point)))) return false;
   }
   return true;
 }

@@ -135,6 +135,14 @@ std::vector<Root> clusters(const Factors& factors, const Box& box, int bits) {
   return roots;
 }
 
+/// Factors and mu moved so that a wide interval of mu lies around 0, where enclosures of polynomials are narrow.
+void centre(Factors& factors, Interval& box) {
+  const Rational shift = box.midpoint();
+  const MultivariatePolynomial moved = MultivariatePolynomial::variable(4, mu) + MultivariatePolynomial::constant(4, shift);
+  for (Factor& f : factors) f.polynomial = f.polynomial.substitute(mu, moved);
+  box = {box.lower - shift, box.upper - shift};
+}
+
 bool sharp(const std::vector<Root>& roots, int bits) {
   const Rational width = Rational(1) / power(Rational(2), bits);
   return std::all_of(roots.begin(), roots.end(), [&](const Root& r) {
@@ -177,7 +185,11 @@ struct VertexSpectrum::Impl {
   static VertexBlock at_level(const VertexBlock& block, const LevelParameter& level) {
     if (!level.exact) return block;
     VertexBlock result{block.points, {}};
-    for (const LaurentPolynomial& entry : block.entries) result.entries.push_back(entry.substitute(mu, *level.exact));
+    try {
+      for (const LaurentPolynomial& entry : block.entries) result.entries.push_back(entry.substitute(mu, *level.exact));
+    } catch (const DomainError&) {
+      throw DomainError(fmt::format("the rules have a pole at the level parameter {}", to_string(*level.exact)));
+    }
     return result;
   }
 
@@ -207,9 +219,12 @@ struct VertexSpectrum::Impl {
     std::vector<Root> roots;
     for (int precision = 2 * bits + 64;; precision *= 2) {
       stop.check();
-      const Interval mu_enclosure = level.exact ? Interval::point(*level.exact) : level.enclosure(precision);
-      roots = clusters(all, {mu_enclosure, Interval::point(n), c ? Interval::point(*c) : cosine_enclosure(n, j, precision)}, precision);
-      if (sharp(roots, bits)) break;
+      Interval mu_enclosure = level.exact ? Interval::point(*level.exact) : level.enclosure(precision);
+      const bool is_wide = mu_enclosure.width() > power(Rational(2), -bits);
+      Factors moved;
+      if (is_wide) centre(moved = all, mu_enclosure);
+      roots = clusters(is_wide ? moved : all, {mu_enclosure, Interval::point(n), c ? Interval::point(*c) : cosine_enclosure(n, j, precision)}, precision);
+      if (is_wide || sharp(roots, bits)) break;
       if (precision > most) {
         if (!level.exact) break;
         // Two roots that may be equal: decided in Q(c).

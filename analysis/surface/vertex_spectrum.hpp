@@ -27,7 +27,7 @@ struct VertexEigenvalue {
 };
 
 /// The level parameter mu: exact, or an irrational number, which is enclosed to any number of bits. As it may be transcendental,
-/// multiplicities that it alone causes show as clusters.
+/// multiplicities that it alone causes show as clusters. An enclosure may also stay an interval: then what is said holds for all its numbers.
 struct LevelParameter {
   std::optional<Rational> exact;
   std::function<Interval(int bits)> enclosure;
@@ -44,7 +44,7 @@ class VertexSpectrum {
   ~VertexSpectrum();
 
   /// All eigenvalues by falling modulus; where enclosures of moduli overlap, by rising Fourier index, then real ones first, then by falling real part.
-  /// Enclosures are about 2^-bits wide, if nothing is in a cluster. \pre n >= 3, 16 <= bits <= 1024
+  /// Enclosures are about 2^-bits wide, if nothing is in a cluster and mu no interval. \pre n >= 3, 16 <= bits <= 1024
   /// \throws DomainError at a pole
   std::vector<VertexEigenvalue> eigenvalues(int n, const LevelParameter& level, int bits = 64, const Stop& stop = Stop()) const;
   /// The number of eigenvalues of the whole matrix: its size.

@@ -29,6 +29,8 @@ namespace {
 
 /// A claim about a space needs a nonstationary scheme, and functions of the type asked for.
 void check_kind(const Scheme& scheme, const Claim& claim) {
+  if (claim.subject == ClaimSubject::vertex_spectrum && !scheme.surface)
+    throw InputError(fmt::format("--claim {}: {} is not a surface scheme", statement(claim), scheme.name));
   if (!claim.space) return;
   if (!scheme.sequence) {
     throw InputError(fmt::format("--claim {}: {} is not a nonstationary scheme", statement(claim), scheme.name));
@@ -42,15 +44,19 @@ void check_kind(const Scheme& scheme, const Claim& claim) {
 
 }  // namespace
 
-std::vector<Claim> claims_to_decide(const Scheme& scheme, const std::optional<std::string>& claim_text, const std::vector<std::string>& parameters) {
+std::vector<Claim> claims_to_decide(const Scheme& scheme, const std::optional<std::string>& claim_text, const std::vector<std::string>& parameters,
+                                    const std::optional<std::string>& valence) {
+  if (valence && (!claim_text || !scheme.surface))
+    throw InputError("--valence belongs to a --claim about surface schemes");
   if (!claim_text && parameters.empty()) return scheme.claims;
   const Box region = region_from_settings(scheme, parameters);
-  const AngleType type = scheme.sequence ? type_from_settings(scheme, parameters) : AngleType::trigonometric;
+  const AngleType type = scheme.level_sequence() ? type_from_settings(scheme, parameters) : AngleType::trigonometric;
   std::vector<Claim> claims;
   if (claim_text) {
     claims.push_back(read_statement(*claim_text));
     claims.back().region = region;
     claims.back().type = type;
+    if (scheme.surface) claims.back().valences = valence ? read_valences(*valence) : ValenceRange{};
     check_kind(scheme, claims.back());
     return claims;
   }

@@ -26,12 +26,13 @@ Json intervals_json(const Scheme& scheme, const Box& region) { return region_to_
 
 Json claim_json(const Scheme& scheme, const Claim& claim) {
   Json json{{"claim", statement(claim)},
-            {"smoothness", claim.space ? Json(nullptr) : Json(claim.smoothness)},
+            {"smoothness", claim.space || claim.subject == ClaimSubject::vertex_spectrum ? Json(nullptr) : Json(claim.smoothness)},
             {"region", region_json(scheme, claim.region)},
             {"intervals", intervals_json(scheme, claim.region)},
             {"expected", to_string(claim.expected)},
             {"source", claim.source}};
-  if (scheme.sequence) json["type"] = to_string(claim.type);
+  if (claim.valences) json["valence"] = to_string(*claim.valences);
+  if (scheme.level_sequence()) json["type"] = to_string(claim.type);
   if (!claim.erratum.empty()) json["erratum"] = claim.erratum;
   return json;
 }
@@ -251,6 +252,37 @@ std::string matrix_json(const MatrixReport& report) {
   return text(json);
 }
 
+std::string spectrum_json(const std::vector<VertexSpectrumReport>& reports, bool interrupted) {
+  Json results = Json::array();
+  const auto ends = [](const Interval& x) { return Json{to_string(x.lower), to_string(x.upper)}; };
+  for (const VertexSpectrumReport& report : reports) {
+    Json eigenvalues = Json::array();
+    for (const VertexEigenvalue& e : report.eigenvalues) {
+      eigenvalues.push_back({{"re", ends(e.re)},
+                             {"im", ends(e.im)},
+                             {"modulus", ends(e.modulus)},
+                             {"re_decimal", enclosure_json(e.re)},
+                             {"im_decimal", enclosure_json(e.im)},
+                             {"modulus_decimal", enclosure_json(e.modulus)},
+                             {"exact", e.re.is_point() && e.im == Interval::point(0) ? Json(to_string(e.re.lower)) : Json(nullptr)},
+                             {"multiplicity", e.multiplicity},
+                             {"fourier", e.fourier},
+                             {"cluster", e.is_cluster},
+                             {"factor", e.factor}});
+    }
+    results.push_back({{"scheme", report.scheme},
+                       {"valence", report.valence},
+                       {"level", report.level ? Json(*report.level) : Json(nullptr)},
+                       {"and_later", report.and_later},
+                       {"mu", ends(report.mu)},
+                       {"mu_decimal", enclosure_json(report.mu)},
+                       {"rings", report.rings},
+                       {"size", report.size},
+                       {"eigenvalues", eigenvalues}});
+  }
+  return text({{"results", results}, {"complete", !interrupted}});
+}
+
 std::string dominance_json(const std::vector<DominanceReport>& reports) {
   Json results = Json::array();
   for (const DominanceReport& report : reports) {
@@ -312,7 +344,8 @@ std::string derive_json(const DeriveReport& report) {
       Json claims = Json::array();
       for (const Claim& claim : cost.claims) claims.push_back(statement(claim));
       Json row{{"sum_rules", cost.sum_rules}, {"error", cost.error}, {"claims", claims}};
-      if (cost.exponent) row["exponent"] = to_string(*cost.exponent);
+      if (cost.exponent.lower) row["exponent"] = to_string(*cost.exponent.lower);
+      if (cost.exponent.upper) row["exponent_upper"] = to_string(*cost.exponent.upper);
       json["costs"].push_back(row);
     }
   }

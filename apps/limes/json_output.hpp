@@ -3,6 +3,7 @@
 #include "analysis/nonuniform/dominance_comparison.hpp"
 #include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
+#include "analysis/surface/vertex_spectrum.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/map/map_unions.hpp"
 #include "analysis/uniform/hoelder_exponent.hpp"
@@ -44,6 +45,18 @@ struct MatrixReport {
   std::vector<ComplexRoot> eigenvalues;
 };
 
+struct VertexSpectrumReport {
+  std::string scheme;
+  int valence = 3;
+  /// Nothing when every level is the same.
+  std::optional<int> level;
+  bool and_later = false;
+  Interval mu;
+  int rings = 1;
+  int size = 0;
+  std::vector<VertexEigenvalue> eigenvalues;
+};
+
 struct DominanceReport {
   std::string scheme;
   Claim claim;
@@ -65,7 +78,8 @@ struct MapReport {
 };
 
 struct DeriveReport {
-  std::string weight;
+  /// The weight function, with the optimal argument.
+  std::string weight = {};
   DerivedMask derived = {};
   Rational even_sum = {}, odd_sum = {};
   int sum_rule_order = 0;
@@ -103,6 +117,7 @@ std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
 std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
+std::string spectrum_json(const std::vector<VertexSpectrumReport>& reports, bool interrupted);
 std::string dominance_json(const std::vector<DominanceReport>& reports);
 std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);

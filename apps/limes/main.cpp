@@ -3,6 +3,7 @@
 #include "apps/limes/options.hpp"
 
 #include "algebra/error.hpp"
+#include "schemes/unity/weight_problem.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -55,6 +56,10 @@ int run(int argc, char** argv) {
   CLI::App* show_verb = app.add_subcommand("show", "Show a scheme: mask, symbol, sum rules, claims");
   show_verb->add_option("scheme", show.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   show_verb->add_flag("--latex", show.latex, "Print the mask and the symbol's factorisation in LaTeX");
+  show_verb->add_option("--characteristic-map", show.characteristic_map, "Draw the characteristic map of a surface scheme at this valence into the files of -o")
+      ->type_name("N")
+      ->check(CLI::Range(3, 1000));
+  show_verb->add_option("-o,--output", show.outputs, "With --characteristic-map: .svg, .pgf or .png files")->type_name("FILE");
   add_common(*show_verb, show);
 
   VerifyOptions verify;
@@ -62,6 +67,7 @@ int run(int argc, char** argv) {
   verify_verb->add_option("scheme", verify.schemes, "Catalogue names or scheme files")->type_name("SCHEME");
   verify_verb->add_option("--claim", verify.claim, "Decide this claim, e.g. C2 or \"not C3\", instead of the file's own");
   add_settings(*verify_verb, verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]");
+  verify_verb->add_option("--valence", verify.valence, "Valences of a --claim about a surface scheme: N, N..M, \"[N, inf)\"; default: all")->type_name("RANGE");
   add_certificates(*verify_verb, verify.certificates, "Directory for the certificates");
   add_common(*verify_verb, verify);
 
@@ -98,6 +104,17 @@ int run(int argc, char** argv) {
   matrix_verb->add_flag("--latex", matrix.latex, "Print matrix and factors in LaTeX");
   add_common(*matrix_verb, matrix);
 
+  SpectrumOptions spectrum;
+  CLI::App* spectrum_verb = app.add_subcommand("spectrum", "Eigenvalues of a surface scheme around a vertex or face of any valence, enclosed");
+  spectrum_verb->add_option("scheme", spectrum.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
+  spectrum_verb->add_option("--valence", spectrum.valence, "Valence N >= 3, or N..M")->required()->type_name("N");
+  spectrum_verb->add_option("--level", spectrum.level, "Level K >= 0 (default: 0), K..L, or K.. for all from K on together")->type_name("K");
+  spectrum_verb->add_option("--param", spectrum.parameters, "theta=pi/3, type=trigonometric|polynomial|hyperbolic, or mu=1 (default)")
+      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  spectrum_verb->add_option("--rings", spectrum.rings, "Rings of control points (default: the least number that works)")
+      ->check(CLI::Range(1, 8))->type_name("R");
+  add_common(*spectrum_verb, spectrum);
+
   DominanceOptions dominance;
   CLI::App* dominance_verb = app.add_subcommand("dominance", "Which tests prove that the eigenvalues at an isolated knot ratio are dominated");
   dominance_verb->add_option("scheme", dominance.schemes, "Catalogue names or scheme files (default: the non-uniform ones of the catalogue)")
@@ -126,11 +143,11 @@ int run(int argc, char** argv) {
   derive_verb->add_option("--shifts", derive.shifts, "Shifts s of the dilates w(2u - s) that take part")->type_name("FIRST..LAST");
   derive_verb->add_option("--constraint", derive.constraints, "sum-rules=K, interpolation or symmetry; may be repeated")
       ->type_name("CONSTRAINT")->expected(1, 64)->allow_extra_args(false);
-  derive_verb->add_option("--method", derive.method, "samples, or integrals (exact for piecewise polynomials)")
-      ->check(CLI::IsMember({"samples", "integrals"}))->type_name("METHOD")->capture_default_str();
-  derive_verb->add_option("--samples", derive.samples, "Number of samples")->check(CLI::Range(2, 10000000))->type_name("N")->capture_default_str();
-  derive_verb->add_option("--precision", derive.precision, "Bits of the arithmetic: 53 (double), more: MPFR")
-      ->check(CLI::Range(53, 4096))->type_name("BITS")->capture_default_str();
+  derive_verb->add_option("--method", derive.method, "samples (default), or integrals (exact for piecewise polynomials)")
+      ->check(CLI::IsMember({"samples", "integrals"}))->type_name("METHOD");
+  derive_verb->add_option("--samples", derive.samples, "Number of samples (default: 100000)")->check(CLI::Range(2, limes::max_samples))->type_name("N");
+  derive_verb->add_option("--precision", derive.precision, "Bits of the arithmetic: 53 (double, the default), more: MPFR")
+      ->check(CLI::Range(53, limes::max_precision))->type_name("BITS");
   derive_verb->add_option("--decimals", derive.decimals, "Decimals of the mask's free coefficients")->check(CLI::Range(1, 1000))->type_name("D");
   derive_verb->add_option("--round", derive.rounding, "Show the mask and E after rounding to float32 or to D significant digits")->type_name("float32|D");
   derive_verb->add_option("--optimise", derive.optimise, "Take the value of an argument that makes E least")->type_name("NAME=[A,B]");
@@ -195,7 +212,7 @@ int run(int argc, char** argv) {
   filters_verb->add_option("--precision", filters.precision, "exact (default), double, or a number of decimal digits")->type_name("KIND");
   filters_verb->add_option("-o,--output", filters.output, "File for the filters (JSON)")->type_name("FILE");
   add_certificates(*filters_verb, filters.certificates, "Directory for the certificate");
-  filters_verb->add_option("--plot", filters.plot, "Orthogonality error against filter length: .svg, .pgf or .png")->type_name("FILE");
+  filters_verb->add_option("--plot", filters.plot, "Orthogonality error against filter length: .svg, .pgf, .png or .csv")->type_name("FILE");
   filters_verb->add_option("--beside", filters.beside, "Another scheme for the plot; may be repeated")->type_name("SCHEME")->expected(1, 64)->allow_extra_args(false);
   add_common(*filters_verb, filters);
 
@@ -227,6 +244,8 @@ int run(int argc, char** argv) {
   report_verb->add_option("-o,--output", report.output, "Directory of the report; with --fragment a .tex file")->required()->type_name("DIR|FILE");
   report_verb->add_option("--claim", report.claim, "Decide this claim instead of the file's own, e.g. C2 or \"not C3\"");
   add_settings(*report_verb, report.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]");
+  report_verb->add_option("--multiresolution", report.multiresolution, "Also the multiresolution filters of uniform binary schemes, with extensions up to L")
+      ->check(CLI::Range(0, 128))->type_name("L");
   report_verb->add_flag("--fragment", report.fragment, "One file to \\input into an article, without preamble, packages and pictures");
   report_verb->add_flag("--no-pdf", report.no_pdf, "Do not run LaTeX");
   report_verb->add_option("--format", report.format, "latex or markdown")->check(CLI::IsMember({"latex", "markdown"}))->type_name("FORMAT")->capture_default_str();
@@ -246,6 +265,7 @@ int run(int argc, char** argv) {
   if (check_verb->parsed()) return run_check(check);
   if (map_verb->parsed()) return run_map(map);
   if (matrix_verb->parsed()) return run_matrix(matrix);
+  if (spectrum_verb->parsed()) return run_spectrum(spectrum);
   if (dominance_verb->parsed()) return run_dominance(dominance);
   if (search_verb->parsed()) return run_search(search);
   if (derive_verb->parsed()) return run_derive(derive);

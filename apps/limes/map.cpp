@@ -83,6 +83,7 @@ int run_map(const MapVerbOptions& options) {
   require_one_mask(scheme, "map");
   Claim claim = read_statement(options.claim);
   if (claim.negated) throw InputError("--claim: a map is made of C<m>; it shows where that is refuted, too");
+  if (!is_about_smoothness(claim)) throw InputError(fmt::format("--claim '{}': a map is made of C<m> of the scheme itself", statement(claim)));
   claim.region = region_from_settings(scheme, options.parameters);
   MapOptions search{.tolerance = tolerance_from(options.tolerance, claim.region)};
 

@@ -5,13 +5,13 @@
 
 #include "algebra/error.hpp"
 #include "algebra/number/read_rational.hpp"
+#include "reports/unity/decided_filters.hpp"
 #include "schemes/catalogue.hpp"
 #include "schemes/unity/filter_file.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 #include <iostream>
 
 namespace limes::app {
@@ -107,24 +107,12 @@ void print(const MultiresolutionReport& report) {
                              report.result.steps.back().extension);
 }
 
-void write_plot(const FilterOptions& options, const std::vector<std::pair<std::string, Multiresolution>>& curves) {
-  Plot plot;
-  plot.title = "Orthogonality error against filter length";
-  plot.x.label = "filter length";
-  plot.y.label = "||P^T q||";
-  plot.y.logarithmic = true;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto& [name, result] = curves[c];
-    PlotCurve curve{{}, {palette(c), 1, Dash::solid}, false, name};
-    for (const ExtensionStep& step : result.steps) {
-      if (step.squared_error > 0)
-        curve.points.push_back({static_cast<double>(result.bank.length() - result.bank.extension + step.extension),
-                                std::sqrt(approx_double(step.squared_error))});
-    }
-    plot.items.push_back(PlotMarkers{curve.points, palette(c), 2, {}});
-    plot.items.push_back(std::move(curve));
-  }
-  write_file(options.plot, picture(kind_by_ending("--plot", options.plot, {"svg", "pgf", "png"}), plot));
+/// The kind of --plot. \throws InputError for another ending
+std::string plot_kind(const FilterOptions& options) { return kind_by_ending("--plot", options.plot, {"svg", "pgf", "png", "csv"}); }
+
+void write_plot(const FilterOptions& options, const std::vector<ErrorCurve>& curves) {
+  const std::string kind = plot_kind(options);
+  write_file(options.plot, kind == "csv" ? error_csv(curves) : picture(kind, error_plot(curves)));
 }
 
 }  // namespace
@@ -132,19 +120,19 @@ void write_plot(const FilterOptions& options, const std::vector<std::pair<std::s
 int run_multiresolution(const FilterOptions& options) {
   const Session session(options);
   const limes::MultiresolutionOptions how = wanted(options);
-  if (!options.plot.empty()) kind_by_ending("--plot", options.plot, {"svg", "pgf", "png"});  // before work is done
+  if (!options.plot.empty()) plot_kind(options);  // before work is done
   const BinaryMask mask = load_binary_mask(options.scheme, options.parameters);
-  std::vector<std::pair<std::string, Multiresolution>> curves{{mask.scheme, find(mask, how, session.stop())}};
+  std::vector<ErrorCurve> curves{{mask.scheme, find(mask, how, session.stop())}};
   if (!options.plot.empty()) {
     for (const std::string& other : options.beside) {
       const BinaryMask next = load_binary_mask(other, {});
-      curves.emplace_back(next.scheme, find(next, how, session.stop()));
+      curves.push_back({next.scheme, find(next, how, session.stop())});
     }
     write_plot(options, curves);
   } else if (!options.beside.empty()) {
     throw InputError("--beside needs --plot");
   }
-  const Multiresolution& result = curves.front().second;
+  const Multiresolution& result = curves.front().result;
   const BiorthogonalityProof proof = prove_biorthogonality(mask.scheme, mask.mask, result.bank);
   MultiresolutionReport report{mask.scheme, result, proof, {}, options.output.string()};
   if (!proof.certificate_json.empty()) {

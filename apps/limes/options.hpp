@@ -24,12 +24,15 @@ struct ListOptions : CommonOptions {};
 struct ShowOptions : CommonOptions {
   std::string scheme;
   bool latex = false;
+  std::optional<int> characteristic_map;  // the valence
+  std::vector<std::filesystem::path> outputs;
 };
 
 struct VerifyOptions : CommonOptions {
   std::vector<std::string> schemes;
   std::optional<std::string> claim;
   std::vector<std::string> parameters;  // "w=1/96", "w=[0,1/4]"
+  std::optional<std::string> valence;   // "5", "3..50", "[3, inf)"
   std::filesystem::path certificates = "certificates";
 };
 
@@ -60,6 +63,14 @@ struct MatrixOptions : CommonOptions {
   bool latex = false;
 };
 
+struct SpectrumOptions : CommonOptions {
+  std::string scheme;
+  std::string valence;
+  std::string level;  // empty: 0
+  int rings = 0;      // 0: the least number
+  std::vector<std::string> parameters;
+};
+
 struct DominanceOptions : CommonOptions {
   std::vector<std::string> schemes;
   std::optional<std::string> claim;
@@ -82,9 +93,9 @@ struct DeriveOptions : CommonOptions {
   std::string domain;
   std::string shifts;
   std::vector<std::string> constraints;
-  std::string method = "samples";
-  int samples = 100000;
-  int precision = 53;
+  std::optional<std::string> method;
+  std::optional<int> samples;
+  std::optional<int> precision;
   std::optional<int> decimals;
   std::string rounding;
   std::string optimise;
@@ -167,6 +178,7 @@ struct ReportOptions : CommonOptions {
   std::optional<std::string> claim;
   std::vector<std::string> parameters;
   std::filesystem::path output;
+  std::optional<int> multiresolution;  // the greatest extension
   bool fragment = false;
   bool no_pdf = false;
   std::string format = "latex";   // "latex", "markdown"
@@ -180,6 +192,7 @@ int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
 int run_map(const MapVerbOptions& options);
 int run_matrix(const MatrixOptions& options);
+int run_spectrum(const SpectrumOptions& options);
 int run_dominance(const DominanceOptions& options);
 int run_search(const SearchOptions& options);
 int run_derive(const DeriveOptions& options);

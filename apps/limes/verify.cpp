@@ -27,7 +27,7 @@ class Verification {
                 {"leaves", 0, TextTable::Align::right}, {"time", 8, TextTable::Align::right}}) {
     const bool asked = options.claim || !options.parameters.empty();
     for (const Scheme& scheme : schemes) {
-      const std::vector<Claim> claims = claims_to_decide(scheme, options.claim, options.parameters);
+      const std::vector<Claim> claims = claims_to_decide(scheme, options.claim, options.parameters, options.valence);
       for (std::size_t k = 0; k < claims.size(); ++k) {
         results_.push_back({.scheme = &scheme, .claim = claims[k], .verdict = {}, .seconds = 0, .certificate = {}});
         files_.push_back(options.certificates / certificate_name(scheme, claims[k], k, asked));

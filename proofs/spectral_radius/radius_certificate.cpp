@@ -86,7 +86,7 @@ std::string prove_hoelder_exponent(const Scheme& scheme, std::span<const Rationa
   Json proof{{"order", exponent.order},
              {"radius_lower", to_string(exponent.radius.lower)},
              {"radius_upper", to_string(exponent.radius.upper)},
-             {"radius", radius_proof_to_json(exponent.radius)}};
+             {"radius", exponent.level ? Json{{"word", exponent.radius.word}, {"level", *exponent.level}} : radius_proof_to_json(exponent.radius)}};
   if (exponent.bounds.upper) {
     claim["upper"] = to_string(*exponent.bounds.upper);
     if (exponent.radius.exact) claim["polynomial"] = numbers_to_json(exponent.radius.exact->polynomial.coefficients());

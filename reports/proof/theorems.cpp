@@ -30,9 +30,9 @@ Blocks conventions(bool knots) {
 
 }  // namespace
 
-Blocks theorem_statements(const std::set<Theorem>& theorems) {
+Blocks theorem_statements(const std::set<Theorem>& theorems, bool exponents) {
   Blocks blocks = conventions(theorems.contains(Theorem::n1) || theorems.contains(Theorem::n3));
-  if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1)) {
+  if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1) || theorems.contains(Theorem::e1) || theorems.contains(Theorem::e2)) {
     blocks.push_back(theorem("U1", " [@Dyn1992], [@DynLevin2002]",
                              {paragraph("If $a(1)=p$, $a(z)=\\sigma(z)^{m+1}p^{-m}\\,b(z)$ with a Laurent polynomial $b$, and $\\lVert S_b^l\\rVert_\\infty<1$ for some $l\\ge1$, then the "
                                         "scheme is $C^m$. Instead of a small $\\lVert S_b^l\\rVert_\\infty$ any norm will do in which all finite sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, "
@@ -42,6 +42,12 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
     blocks.push_back(theorem("U2", " [@CavarettaDahmenMicchelli1991], [@DynLevin2002]",
                              {paragraph("Let the integer shifts of the basic limit function be stable. If the scheme is $C^m$, then $a(1)=p$, $\\sigma^{m+1}$ divides $a$, and every product of the "
                                         "sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, of $b=p^m a/\\sigma^{m+1}$ has a spectral radius below $1$.")}));
+  }
+  if (exponents) {
+    blocks.push_back(theorem("U3", " [@Rioul1992], [@DynLevin2002], [@GuglielmiProtasov2013]",
+                             {paragraph("The Hölder exponent is the supremum of $m+\\alpha$, $0\\le\\alpha\\le1$, such that all limits have $m$ derivatives, the last one with exponent $\\alpha$. Let $a(1)=p$ and "
+                                        "$a(z)=p^{1-k}\\sigma(z)^kb(z)$, $k\\ge1$, and let $\\varrho$ be the joint spectral radius of the sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$. If $\\varrho<p^{k-1}$, the exponent is at least "
+                                        "$k-1-\\log_p\\varrho$. It is equal to it if the integer shifts of the basic limit function are stable and $k$ is the greatest possible order.")}));
   }
   if (theorems.contains(Theorem::n1)) {
     blocks.push_back(theorem("N1", " [@Warren1995], [@DaubechiesGuskovSweldens1999], [@KarciauskasPeters2013]",
@@ -69,6 +75,20 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
                              {paragraph("Let $\\tau=a'(1)/p$ for the limit mask, $s=\\tau/(p-1)$. A step with mask $a$ and edges of angle $\\theta h$ maps samples of $y^j\\mathrm{e}^{\\mathrm{i}n\\theta y}$ at $(l+s)ph$ to "
                                         "samples at $(i+s)h$ exactly if in every residue class of $i$ the moments $\\sum_{k\\equiv i}a_k(\\tau-k)^r\\mathrm{e}^{\\mathrm{i}n\\theta h(\\tau-k)}$, $r=0,\\dots,j$, are $1,0,\\dots,0$; it maps them into the "
                                         "space of $y^r\\mathrm{e}^{\\mathrm{i}n\\theta y}$, $r\\le j$, if the moments do not depend on the class.")}));
+  }
+  if (theorems.contains(Theorem::e1) || theorems.contains(Theorem::e2)) {
+    blocks.push_back(paragraph("Around an extraordinary vertex or face of valence $n$ a surface scheme has a subdivision matrix $M$ on finitely many rings, which rotations split into Fourier blocks $j=0,\\dots,n-1$. It satisfies the "
+                               "*spectral condition* if $1$ is a simple eigenvalue, of block $0$; the blocks $1$ and $n-1$ have the same simple real eigenvalue $\\lambda\\in(0,1)$; and all other eigenvalues are less than $\\lambda$ in modulus."));
+    blocks.push_back(theorem("E1", " [@Reif1995], [@PetersReif2008]",
+                             {paragraph("Let the curve scheme be $C^1$ by Theorem U1, the rules have weights of sum $1$ and the symmetry of the $n$-gon, and let there be a radius $\\varrho$ such that, counted with multiplicity, block $0$ has the "
+                                        "eigenvalue $1$ and no other of modulus at least $\\varrho$, blocks $1$ and $n-1$ have one each, positive and less than $1$, and no other block has one. Then the spectral condition holds. If the matrices $M_k$ of the steps depend on "
+                                        "$k$, it is that of their limit $M$, with $\\sum_k2^k\\lVert M_k-M\\rVert<\\infty$.")}));
+  }
+  if (theorems.contains(Theorem::e2)) {
+    blocks.push_back(theorem("E2", " [@Reif1995], [@PetersReif2008]",
+                             {paragraph("Let the spectral condition hold, and let $\\Phi$, the limit of the eigenvector of block $1$, have a positive Jacobian and satisfy $\\mathrm{Re}(\\mathrm{e}^{-\\mathrm{i}\\pi/n}\\Phi)>0$ in the first sector, on a closed "
+                                        "annulus of regular pieces whose images under the powers of $\\lambda$ fill the plane. Then this characteristic map is a homeomorphism, and for all control points outside of a proper algebraic subset the limit surface is $C^1$ at the "
+                                        "extraordinary point.")}));
   }
   if (theorems.contains(Theorem::p0)) {
     blocks.push_back(theorem("P0", "", {paragraph("Let the even or the odd coefficients of a binary mask not sum to $1$. Then $0$ is the only continuous limit. If moreover a product of the sections $(A_e)_{ij}=a_{e+2j-i}$ of the mask has "

@@ -2,6 +2,7 @@
 
 #include "proofs/prove.hpp"
 #include "reports/proof/formulas.hpp"
+#include "reports/proof/sections_impl.hpp"
 
 #include <gmock/gmock.h>
 
@@ -43,13 +44,13 @@ erratum = "C1 ends at w* = 0.19272"
 
 TEST(ProofReport, DefinitionVerdictsAndProofs) {
   const std::string text = latex_of(four_point);
-  EXPECT_THAT(text, HasSubstr("q_{2i+1}&=-w\\,p_{i-1}+\\left(w+\\frac{1}{2}\\right)p_{i}"));
-  EXPECT_THAT(text, HasSubstr("a(z)&=(1+z)^{2}\\,2^{-1}\\,b(z),"));
+  EXPECT_THAT(text, HasSubstr("q_{2i+1}&=-w\\,p_{i-1}+(w+\\tfrac{1}{2})\\,p_{i}"));
+  EXPECT_THAT(text, HasSubstr("a(z)&=2^{-1}(1+z)^{2}\\,b(z),"));
   EXPECT_THAT(text, HasSubstr("For $w=1/16$ the scheme is $C^{1}$."));
   EXPECT_THAT(text, HasSubstr("=3/4=0.75<1")) << "the norm for l = 2";
   EXPECT_THAT(text, HasSubstr("For no $w\\in[0,1/4]$ the scheme is $C^{2}$."));
   EXPECT_THAT(text, HasSubstr("It is false that for every $w\\in[1/1000,1/5]$"));
-  EXPECT_THAT(text, HasSubstr("\\begin{erratum}\n$C^{1}$ ends at w* = 0.19272."));
+  EXPECT_THAT(text, HasSubstr("\\begin{erratum}\n$C^{1}$ ends at $w^{*}=0.19272$."));
   EXPECT_THAT(text, HasSubstr("exactly $C^{1}$ for $w=1/16$"));
   EXPECT_THAT(text, HasSubstr("Of $3$ claims about $1$ scheme, $2$ are certified, $1$ refuted, and $0$ undecided."));
 }
@@ -86,6 +87,57 @@ region = { w = "1/4" }
   EXPECT_THAT(text, HasSubstr("For $w=1/4$ the scheme is not $C^{1}$ over some knot sequence."));
 }
 
+TEST(ProofReport, RulesAreFormulas) {
+  const InsertionRuleText text{.points = 6, .let = {{"cr1", {"hermite(1, f(2,0), f(2,1))", 0}}, {"omega", {"576*w-2", 0}}},
+                               .new_point = {"omega*at(degree(4, cr1),1/2) - (1-omega)/2*dot([1/12,5/6,0,5/6,1/12], join(2, cr1))", 0}, .coefficients = {}};
+  Document document{.title = "", .subtitle = {}, .blocks = report_impl::rule_text(text)};
+  const std::string latex = to_latex(document, {});
+  EXPECT_THAT(latex, HasSubstr("\\mathit{cr}_{1}&=\\mathrm{hermite}_{1}(f^{2}_{i},\\,f^{2}_{i+1}),"));
+  EXPECT_THAT(latex, HasSubstr("\\omega&=576\\,w-2,"));
+  EXPECT_THAT(latex, HasSubstr("\\omega\\,\\mathrm{degree}_{4}(\\mathit{cr}_{1})(\\tfrac{1}{2})-\\tfrac{1-\\omega}{2}\\,(\\tfrac{1}{12},"));
+  EXPECT_THAT(latex, HasSubstr("made $C^r$ at the knots"));
+  EXPECT_THAT(latex, testing::Not(HasSubstr("halved intervals"))) << "only the words that the rule uses are explained";
+}
+
+TEST(ProofReport, ExponentsWithTheirProofs) {
+  ReportedScheme reported = decided(four_point);
+  std::vector<Claim> claims;
+  for (const DecidedClaim& one : reported.claims) claims.push_back(one.claim);
+  const auto points = exponent_points(reported.scheme, claims);
+  ASSERT_EQ(points, (std::vector<std::vector<Rational>>{{Rational(1) / 16}}));
+  reported.exponents.push_back(*decide_exponent(reported.scheme, points.front()));
+  const std::string text = to_latex(proof_report({reported}, {}), {});
+  EXPECT_THAT(text, HasSubstr("For $w=1/16$ the H\u00f6lder exponent is exactly $2$."));
+  EXPECT_THAT(text, HasSubstr("\\varrho=\\rho("));
+  EXPECT_THAT(text, HasSubstr("\\label{theorem-U3}"));
+}
+
+TEST(ProofReport, MapOfTheClaims) {
+  const Document document = proof_report({decided(four_point)}, {});
+  const Figure* map = nullptr;
+  for (const Figure* figure : figures(document)) {
+    if (figure->name == "mine-map") map = figure;
+  }
+  ASSERT_NE(map, nullptr);
+  EXPECT_THAT(map->panels.front().data, HasSubstr("1,certified,1/16,1/16,closed,closed"));
+  EXPECT_THAT(map->panels.front().data, HasSubstr("2,refuted,0,1/4,closed,closed"));
+  EXPECT_THAT(map->panels.front().data, HasSubstr("1,refuted,1/5,1/5,closed,closed"));
+}
+
+TEST(ProofReport, NonstationarySchemes) {
+  const std::string text = latex_of(R"toml(name = "sequence"
+kind = "nonstationary"
+[nonstationary]
+types = { trigonometric = ["0", "2"] }
+first_index = -1
+mask = ["1/(2*(1+mu))", "(1+2*mu)/(2*(1+mu))", "(1+2*mu)/(2*(1+mu))", "1/(2*(1+mu))"]
+[[claims]]
+claim = "C1"
+)toml");
+  EXPECT_THAT(text, HasSubstr("\\mu_k=\\cos(\\theta\\,2^{-(k+1)})"));
+  EXPECT_THAT(text, HasSubstr("\\limesplot{sequence-angles-1}"));
+}
+
 TEST(ProofReport, UndecidedSaysWhy) {
   ReportedScheme reported = decided(four_point);
   reported.claims.front().verdict = Verdict{};
@@ -93,6 +145,8 @@ TEST(ProofReport, UndecidedSaysWhy) {
   const std::string text = to_latex(proof_report({reported}, {}), {});
   EXPECT_THAT(text, HasSubstr("\\emph{Undecided:} For $w=1/16$ the scheme is $C^{1}$."));
   EXPECT_THAT(text, HasSubstr("the budget ended"));
+  EXPECT_THAT(text, HasSubstr("The joint spectral radius of the sections of $b$ at $w=1/16$ lies in $[0.5,0.500"));
+  EXPECT_THAT(text, HasSubstr("level $l$ & $1$ & $2$"));
 }
 
 TEST(ProofReport, SameInputSameBytes) { EXPECT_EQ(latex_of(four_point), latex_of(four_point)); }
@@ -106,7 +160,7 @@ TEST(Formulas, GuaranteedDigits) {
 TEST(Formulas, SumsHaveSigns) {
   const VariableNames names{"w"};
   const RationalFunction w = RationalFunction::variable(1, 0), one = RationalFunction::constant(1, 1);
-  EXPECT_EQ(joined_sum(power_sum_terms({{0, -w}, {1, one}, {2, -one}, {3, w + one}, {4, w - w}}, "z", names)), "-w+z-z^{2}+\\left(w+1\\right)z^{3}");
+  EXPECT_EQ(joined_sum(power_sum_terms({{0, -w}, {1, one}, {2, -one}, {3, w + one}, {4, w - w}}, "z", names)), "-w+z-z^{2}+(w+1)\\,z^{3}");
   EXPECT_EQ(joined_sum(power_sum_terms({}, "z", names)), "0");
 }
 

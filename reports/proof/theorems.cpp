@@ -86,7 +86,7 @@ Blocks theorem_statements(const std::set<Theorem>& theorems, bool exponents) {
   }
   if (theorems.contains(Theorem::e2)) {
     blocks.push_back(theorem("E2", " [@Reif1995], [@PetersReif2008]",
-                             {paragraph("Let the spectral condition hold, and let $\\Phi$, the limit of the eigenvector of block $1$, have a positive Jacobian and satisfy $\\mathrm{Re}(\\mathrm{e}^{-\\mathrm{i}\\pi/n}\\Phi)>0$ in the first sector, on a closed "
+                             {paragraph("Let the rules be the same at every step and the spectral condition hold, and let $\\Phi$, the limit of the eigenvector of block $1$, have a positive Jacobian and satisfy $\\mathrm{Re}(\\mathrm{e}^{-\\mathrm{i}\\pi/n}\\Phi)>0$ in the first sector, on a closed "
                                         "annulus of regular pieces whose images under the powers of $\\lambda$ fill the plane. Then this characteristic map is a homeomorphism, and for all control points outside of a proper algebraic subset the limit surface is $C^1$ at the "
                                         "extraordinary point.")}));
   }

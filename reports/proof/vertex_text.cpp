@@ -54,7 +54,10 @@ std::string vertex_assertion(const Scheme& scheme, const Claim& claim) {
   const char* place = scheme.surface->rings.dual ? "faces" : "vertices";
   const std::string valence = claim.valences ? fmt::format(" of valence ${}$", valences_latex(*claim.valences)) : "";
   const std::string angles = scheme.parameters.empty() ? "" : fmt::format(" for ${}$ ({})", region_latex(scheme, claim.region), to_string(claim.type));
-  if (claim.subject == ClaimSubject::vertex_spectrum) return fmt::format("At extraordinary {}{} the scheme satisfies the spectral condition{}.", place, valence, angles);
+  if (claim.subject == ClaimSubject::vertex_spectrum && scheme.parameters.empty()) return fmt::format("At extraordinary {}{} the scheme satisfies the spectral condition.", place, valence);
+  if (claim.subject == ClaimSubject::vertex_spectrum) {
+    return fmt::format("At extraordinary {}{} the limit $M$ of the matrices $M_k$ of the steps satisfies the spectral condition, and $\\sum_k2^k\\lVert M_k-M\\rVert<\\infty${}.", place, valence, angles);
+  }
   return fmt::format("At extraordinary {}{} the scheme is ${}C^{{{}}}$ for generic control points{}.", place, valence, claim.negated ? "\\text{not }" : "", claim.smoothness, angles);
 }
 
@@ -86,7 +89,7 @@ Blocks vertex_proof_text(const Scheme& scheme, const Certificate& certificate, c
   Blocks blocks;
   std::string text = fmt::format("The rules map the points on ${}$ ring{} to those on as many; rotations split this matrix into Fourier blocks $j=0,\\dots,n-1$, whose entries depend on $\\mathrm{{e}}^{{2\\pi\\mathrm{{i}}j/n}}$.", proof.rings,
                                  proof.rings == 1 ? "" : "s");
-  if (!scheme.parameters.empty()) text += fmt::format(" The matrices of the steps tend to that of $\\mu=1$, fast enough for the limit's eigenvalues to decide.");
+  if (!scheme.parameters.empty()) text += " The matrices of the steps tend to that of $\\mu=1$ like $4^{-k}$; the eigenvalues are those of this limit.";
   text += fmt::format(" The curve scheme is $C^1$ by [Theorem U1](#theorem-U1) with level $l={}$.", proof.level);
   if (!proof.separators.empty()) {
     text += " For each single valence Schur's recursion counts the roots of the blocks' characteristic polynomials outside of a circle that separates $1$ and $\\lambda$ from the others:";
@@ -108,9 +111,13 @@ Blocks vertex_proof_text(const Scheme& scheme, const Certificate& certificate, c
     if (shown < static_cast<int>(proof.separators.size())) text = fmt::format("The certificate has the circles of the valences up to ${}$. ", valences.first + static_cast<int>(proof.separators.size()) - 1);
   }
   if (proof.all) {
-    text += fmt::format(" For all $n\\ge{}$ the blocks are polynomials in $c=\\cos(2\\pi/n)$: on ${}$ interval{} that cover $c\\in[{},1]$ exactly one root of block $1$ is outside of a circle, and all other blocks have their roots in $|\\lambda|<{}${}.",
-                        proof.all->from, proof.all->cells.size(), proof.all->cells.size() == 1 ? "" : "s", inline_latex(proof.all->start), inline_latex(proof.all->bound),
-                        proof.all->touch ? fmt::format(" but for one of block $0$, which meets $\\lambda$ in the limit only") : "");
+    const bool harmonic = std::any_of(rule.given.begin(), rule.given.end(), [](const auto& own) {
+      return std::any_of(own.second.begin(), own.second.end(), [](const RingTerm& term) { return term.harmonic == 1; });
+    });
+    text += fmt::format(" For all $n\\ge{}$ the blocks are polynomials in $c=\\cos(2\\pi/n)$: on ${}$ interval{} that cover $c\\in[{},1]$ exactly one root of block $1$ is outside of a circle{}, and block $0$ has its other roots there{}.",
+                        proof.all->from, proof.all->cells.size(), proof.all->cells.size() == 1 ? "" : "s", inline_latex(proof.all->start),
+                        (harmonic ? "; the blocks $2\\le j\\le n-2$ have their roots in $|\\lambda|<" : " and grows with $c$; for the other $c$ all roots are in $|\\lambda|<") + inline_latex(proof.all->bound) + "$",
+                        proof.all->touch ? ", but for one, which meets $\\lambda$ in the limit only" : "");
   }
   if (proof.map) {
     text += " The characteristic map has a positive Jacobian, and in the sector it stays in the half-plane about its middle, on the closed annulus whose images under $\\lambda^k$ fill the rest: by enclosures of its control points";

@@ -198,21 +198,14 @@ std::optional<MultivariatePolynomial> possible_pole(const Scheme& scheme, const 
 }
 
 Verdict prove_for_sequence(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
-  Verdict undecided;
-  try {
-    SequenceAttempt attempt = prove_sequence_claim(*scheme.sequence, claim, limits, stop);
-    if (attempt.outcome != Outcome::undecided) {
-      return conclude(scheme, claim, attempt.outcome,
-                      {.proof = std::move(attempt.proof), .theorem = claim.space ? Theorem::s2 : Theorem::s1, .reason = {},
-                       .failing_point = {}, .failing_ratio = {}});
-    }
-    undecided.reason = attempt.reason;
-  } catch (const LimitError& error) {
-    undecided.reason = error.reason();
-  } catch (const Interrupted& interrupted) {
-    undecided.reason = interrupted.what();
-    undecided.interrupted = true;
+  SequenceAttempt attempt = prove_sequence_claim(*scheme.sequence, claim, limits, stop);
+  if (attempt.outcome != Outcome::undecided) {
+    return conclude(scheme, claim, attempt.outcome,
+                    {.proof = std::move(attempt.proof), .theorem = claim.space ? Theorem::s2 : Theorem::s1, .reason = {},
+                     .failing_point = {}, .failing_ratio = {}});
   }
+  Verdict undecided;
+  undecided.reason = attempt.reason;
   return undecided;
 }
 
@@ -245,19 +238,19 @@ Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const
     verdict.reason = "the smoothness of surface schemes is not decided by this claim";
     return verdict;
   }
-  if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
-  if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
+  if (!scheme.sequence && claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
-  if (auto reason = beyond_checker(scheme)) {
-    undecided.reason = std::move(*reason);
-    return undecided;
-  }
-  if (const auto pole = possible_pole(scheme, claim.region)) {
-    undecided.reason = fmt::format("the definition may have a pole in the region: a zero of {}",
-                                   to_string(*pole, scheme.parameter_names()));
-    return undecided;
-  }
   try {
+    if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
+    if (auto reason = beyond_checker(scheme)) {
+      undecided.reason = std::move(*reason);
+      return undecided;
+    }
+    if (const auto pole = possible_pole(scheme, claim.region)) {
+      undecided.reason = fmt::format("the definition may have a pole in the region: a zero of {}",
+                                     to_string(*pole, scheme.parameter_names()));
+      return undecided;
+    }
     if (claim.subject == ClaimSubject::zero_limits) {
       Attempt zero = from_mask(prove_zero_limits(scheme.mask, false, stop));
       if (zero.proof) return conclude(scheme, claim, Outcome::certified, std::move(zero));

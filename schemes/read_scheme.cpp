@@ -5,6 +5,7 @@
 #include "algebra/number/read_rational.hpp"
 #include "schemes/catalogue.hpp"
 #include "schemes/scheme.hpp"
+#include "schemes/surface/ring_expression.hpp"
 #include "schemes/table_reader_impl.hpp"
 #include "schemes/unity/weight_table_impl.hpp"
 
@@ -243,18 +244,42 @@ void read_claim_type(TableReader& reader, const MaskSequence& sequence, Claim& c
   claim.region = {sequence.find(claim.type)->angles};
 }
 
+/// Rules "a,b" = "a combination of points".
+std::map<RingPoint, std::vector<RingTerm>> read_ring_rules(TableReader reader, bool dual, const std::string& level_parameter) {
+  std::map<RingPoint, std::vector<RingTerm>> given;
+  for (const auto& [key, node] : reader.raw()) {
+    const std::string name(key.str());
+    const toml::node& value = reader.require(name);
+    const RingPoint point = reader.located(value, "[surface.rules]", [&] { return read_ring_point(name, dual); });
+    const auto terms =
+        reader.located(value, fmt::format("rule \"{}\"", name), [&] { return read_ring_expression(reader.text(value, name), dual, level_parameter); });
+    if (!given.emplace(point, terms).second) reader.fail(value, fmt::format("a second rule for the point {}", to_string(point)));
+  }
+  if (given.empty()) reader.fail("[surface.rules] has no rule");
+  return given;
+}
+
 /// The curve scheme is one of the catalogue, or a file beside the surface scheme's own.
 void read_surface(TableReader reader, const std::filesystem::path& file, Scheme& scheme) {
   const std::string curve = reader.text("curve");
   const toml::node& place = reader.require("curve");
+  const toml::node* rules = reader.find("rules");
   reader.finish();
   const Scheme loaded = reader.located(place, "curve", [&] {
     const bool is_file = curve.ends_with(".toml");
     Scheme found = is_file ? read_scheme_file(file.parent_path() / curve) : load_scheme(curve);
-    if (!found.sequence) throw InputError(fmt::format("{} is no nonstationary scheme", curve));
+    if (!found.sequence && found.kind != SchemeKind::uniform) throw InputError(fmt::format("{} is no uniform or nonstationary scheme", curve));
     return found;
   });
-  scheme.surface = reader.located(place, "curve", [&] { return surface_rule(curve, *loaded.sequence); });
+  const MaskSequence sequence =
+      reader.located(place, "curve", [&] { return loaded.sequence ? *loaded.sequence : constant_sequence(loaded.mask); });
+  if (rules) {
+    const bool dual = reader.located(place, "curve", [&] { return tensor_rule(sequence.mask).dual; });
+    auto given = read_ring_rules(reader.table(*rules, "[surface.rules]"), dual, sequence.level_parameter);
+    scheme.surface = reader.located(*rules, "[surface.rules]", [&] { return surface_rule(curve, sequence, std::move(given)); });
+  } else {
+    scheme.surface = reader.located(place, "curve", [&] { return surface_rule(curve, sequence); });
+  }
   scheme.parameters = loaded.parameters;
 }
 

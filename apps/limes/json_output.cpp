@@ -3,8 +3,8 @@
 #include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
-
-#include <nlohmann/json.hpp>
+#include "proofs/number_json_impl.hpp"
+#include "schemes/surface/ring_expression.hpp"
 
 namespace limes::app {
 namespace {
@@ -22,11 +22,7 @@ Json region_json(const Scheme& scheme, const Box& region) {
 }
 
 /// The same with open ends told: "(0, 1/8]".
-Json intervals_json(const Scheme& scheme, const Box& region) {
-  Json json = Json::object();
-  for (std::size_t k = 0; k < region.size(); ++k) json[scheme.parameters[k].name] = to_string(region[k]);
-  return json;
-}
+Json intervals_json(const Scheme& scheme, const Box& region) { return region_to_json(region, scheme.parameter_names()); }
 
 Json claim_json(const Scheme& scheme, const Claim& claim) {
   Json json{{"claim", statement(claim)},
@@ -102,11 +98,17 @@ std::string list_json(const std::vector<Scheme>& schemes) {
 
 std::string show_json(const Scheme& scheme) {
   if (scheme.surface) {
+    const RingRule& rings = scheme.surface->rings;
+    Json rules = Json::object();
+    for (const auto& [point, terms] : rings.given) rules[to_string(point)] = to_string(terms, scheme.surface->sequence.level_parameter);
     return text(Json{{"name", scheme.name},
                      {"title", scheme.title},
                      {"kind", to_string(scheme.kind)},
                      {"source", scheme.sources},
-                     {"curve", scheme.surface->curve}});
+                     {"curve", scheme.surface->curve},
+                     {"dual", rings.dual},
+                     {"virtual_points", scheme.surface->virtual_points},
+                     {"rules", rules}});
   }
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();
@@ -249,6 +251,36 @@ std::string matrix_json(const MatrixReport& report) {
   return text(json);
 }
 
+std::string spectrum_json(const std::vector<VertexSpectrumReport>& reports, bool interrupted) {
+  Json results = Json::array();
+  const auto ends = [](const Interval& x) { return Json{to_string(x.lower), to_string(x.upper)}; };
+  for (const VertexSpectrumReport& report : reports) {
+    Json eigenvalues = Json::array();
+    for (const VertexEigenvalue& e : report.eigenvalues) {
+      eigenvalues.push_back({{"re", ends(e.re)},
+                             {"im", ends(e.im)},
+                             {"modulus", ends(e.modulus)},
+                             {"re_decimal", enclosure_json(e.re)},
+                             {"im_decimal", enclosure_json(e.im)},
+                             {"modulus_decimal", enclosure_json(e.modulus)},
+                             {"exact", e.re.is_point() && e.im == Interval::point(0) ? Json(to_string(e.re.lower)) : Json(nullptr)},
+                             {"multiplicity", e.multiplicity},
+                             {"fourier", e.fourier},
+                             {"cluster", e.is_cluster},
+                             {"factor", e.factor}});
+    }
+    results.push_back({{"scheme", report.scheme},
+                       {"valence", report.valence},
+                       {"level", report.level ? Json(*report.level) : Json(nullptr)},
+                       {"mu", ends(report.mu)},
+                       {"mu_decimal", enclosure_json(report.mu)},
+                       {"rings", report.rings},
+                       {"size", report.size},
+                       {"eigenvalues", eigenvalues}});
+  }
+  return text({{"results", results}, {"complete", !interrupted}});
+}
+
 std::string dominance_json(const std::vector<DominanceReport>& reports) {
   Json results = Json::array();
   for (const DominanceReport& report : reports) {
@@ -283,13 +315,8 @@ std::string dominance_json(const std::vector<DominanceReport>& reports) {
 std::string derive_json(const DeriveReport& report) {
   const DerivedMask& derived = report.derived;
   const RefinementEquation& equation = derived.equation;
-  const auto strings = [](const std::vector<Rational>& numbers) {
-    Json list = Json::array();
-    for (const Rational& x : numbers) list.push_back(to_string(x));
-    return list;
-  };
   Json json{{"weight", report.weight},
-            {"mask", strings(derived.mask)},
+            {"mask", numbers_to_json(derived.mask)},
             {"first_index", equation.first_index()},
             {"first_shift", to_string(equation.first_shift)},
             {"domain", {to_string(equation.domain.lower), to_string(equation.domain.upper)}},
@@ -308,7 +335,7 @@ std::string derive_json(const DeriveReport& report) {
                        {"value", to_string(report.optimum->parameter)},
                        {"local_minima", report.optimum->local_minima}};
   }
-  if (report.rounded) json["rounded"] = {{"to", report.rounding}, {"mask", strings(*report.rounded)}, {"error", report.rounded_error}};
+  if (report.rounded) json["rounded"] = {{"to", report.rounding}, {"mask", numbers_to_json(*report.rounded)}, {"error", report.rounded_error}};
   if (!report.costs.empty()) {
     json["costs"] = Json::array();
     for (const SmoothnessCost& cost : report.costs) {

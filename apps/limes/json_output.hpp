@@ -3,6 +3,7 @@
 #include "analysis/nonuniform/dominance_comparison.hpp"
 #include "algebra/polynomial/complex_roots.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
+#include "analysis/surface/vertex_spectrum.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/map/map_unions.hpp"
 #include "analysis/uniform/hoelder_exponent.hpp"
@@ -42,6 +43,17 @@ struct MatrixReport {
   SplitCharacteristicPolynomial split;
   /// At one knot ratio, if asked for.
   std::vector<ComplexRoot> eigenvalues;
+};
+
+struct VertexSpectrumReport {
+  std::string scheme;
+  int valence = 3;
+  /// Nothing when every level is the same.
+  std::optional<int> level;
+  Interval mu;
+  int rings = 1;
+  int size = 0;
+  std::vector<VertexEigenvalue> eigenvalues;
 };
 
 struct DominanceReport {
@@ -104,6 +116,7 @@ std::string verify_json(const std::vector<VerifiedClaim>& results);
 std::string check_json(const std::vector<CheckedFile>& results);
 std::string map_json(const MapReport& report);
 std::string matrix_json(const MatrixReport& report);
+std::string spectrum_json(const std::vector<VertexSpectrumReport>& reports, bool interrupted);
 std::string dominance_json(const std::vector<DominanceReport>& reports);
 std::string derive_json(const DeriveReport& report);
 std::string norm_json(const Rational& norm, int order, int level);

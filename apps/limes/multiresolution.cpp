@@ -1,5 +1,6 @@
 #include "apps/limes/multiresolution_json.hpp"
 #include "apps/limes/options.hpp"
+#include "apps/limes/outputs.hpp"
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
@@ -51,13 +52,7 @@ BinaryMask load_binary_mask(const std::string& name, const std::vector<std::stri
   const Scheme scheme = load_scheme(name);
   if (scheme.kind != SchemeKind::uniform || scheme.mask.arity != 2)
     throw InputError(fmt::format("{} is no uniform binary scheme: filters need one mask of arity 2", scheme.name));
-  const Box region = region_from_settings(scheme, settings);
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    if (region[k].is_point()) continue;
-    throw InputError(
-        fmt::format("filters need one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
-  }
-  Mask mask = at(scheme.mask, midpoint(region));
+  Mask mask = at(scheme.mask, point_from_settings(scheme, settings, "filters need"));
   std::vector<Rational> coefficients = mask.symbol.rational_coefficients();
   return {scheme.name, std::move(mask), std::move(coefficients)};
 }
@@ -113,12 +108,8 @@ void print(const MultiresolutionReport& report) {
 }
 
 void write_plot(const FilterOptions& options, const std::vector<ErrorCurve>& curves) {
-  const std::string ending = options.plot.extension().string();
-  if (ending == ".csv") return write_file(options.plot, error_csv(curves));
-  const Plot plot = error_plot(curves);
-  if (ending == ".svg") return write_file(options.plot, to_svg(plot));
-  if (ending == ".pgf") return write_file(options.plot, to_pgf(plot));
-  write_file(options.plot, to_png(plot));
+  const std::string kind = kind_by_ending("--plot", options.plot, {"svg", "pgf", "png", "csv"});
+  write_file(options.plot, kind == "csv" ? error_csv(curves) : picture(kind, error_plot(curves)));
 }
 
 }  // namespace
@@ -126,9 +117,7 @@ void write_plot(const FilterOptions& options, const std::vector<ErrorCurve>& cur
 int run_multiresolution(const FilterOptions& options) {
   const Session session(options);
   const limes::MultiresolutionOptions how = wanted(options);
-  const std::string ending = options.plot.extension().string();
-  if (!options.plot.empty() && ending != ".svg" && ending != ".pgf" && ending != ".png" && ending != ".csv")
-    throw InputError(fmt::format("--plot {}: the ending must be .svg, .pgf, .png or .csv", options.plot.string()));
+  if (!options.plot.empty()) kind_by_ending("--plot", options.plot, {"svg", "pgf", "png", "csv"});  // before work is done
   const BinaryMask mask = load_binary_mask(options.scheme, options.parameters);
   std::vector<ErrorCurve> curves{{mask.scheme, find(mask, how, session.stop())}};
   if (!options.plot.empty()) {
@@ -144,8 +133,7 @@ int run_multiresolution(const FilterOptions& options) {
   const BiorthogonalityProof proof = prove_biorthogonality(mask.scheme, mask.mask, result.bank);
   MultiresolutionReport report{mask.scheme, result, proof, {}, options.output.string()};
   if (!proof.certificate_json.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(options.certificates, error);
+    make_directory(options.certificates);
     const std::filesystem::path file = options.certificates / (mask.scheme + ".multiresolution.json");
     write_file(file, proof.certificate_json);
     report.certificate = file.string();

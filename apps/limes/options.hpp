@@ -24,6 +24,8 @@ struct ListOptions : CommonOptions {};
 struct ShowOptions : CommonOptions {
   std::string scheme;
   bool latex = false;
+  std::optional<int> characteristic_map;  // the valence
+  std::vector<std::filesystem::path> outputs;
 };
 
 struct VerifyOptions : CommonOptions {
@@ -58,6 +60,14 @@ struct MatrixOptions : CommonOptions {
   std::string scheme;
   std::vector<std::string> parameters;
   bool latex = false;
+};
+
+struct SpectrumOptions : CommonOptions {
+  std::string scheme;
+  std::string valence;
+  std::string level;  // empty: 0
+  int rings = 0;      // 0: the least number
+  std::vector<std::string> parameters;
 };
 
 struct DominanceOptions : CommonOptions {
@@ -181,6 +191,7 @@ int run_check(const CheckOptions& options);
 int run_norm(const NormOptions& options);
 int run_map(const MapVerbOptions& options);
 int run_matrix(const MatrixOptions& options);
+int run_spectrum(const SpectrumOptions& options);
 int run_dominance(const DominanceOptions& options);
 int run_search(const SearchOptions& options);
 int run_derive(const DeriveOptions& options);

@@ -42,11 +42,6 @@ std::vector<Claim> claims_to_report(const Scheme& scheme, const ReportOptions& o
 std::vector<ReportedScheme> claims_of(const ReportOptions& options) {
   std::vector<ReportedScheme> schemes;
   for (Scheme& scheme : load_schemes(options.schemes)) {
-    if (scheme.sequence && options.schemes.empty()) {
-      if (!options.quiet) std::cerr << fmt::format("limes: the report leaves out {}: it is nonstationary\n", scheme.name);
-      continue;
-    }
-    require_one_mask(scheme, "report");
     ReportedScheme reported;
     for (const Claim& claim : claims_to_report(scheme, options)) reported.claims.push_back({claim, {}, {}});
     reported.scheme = std::move(scheme);
@@ -79,10 +74,23 @@ void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, 
     for (std::size_t k = 0; k < reported.claims.size(); ++k) work.emplace_back(&reported, k);
   }
   const bool asked = options.claim || !options.parameters.empty();
+  // Exponents are cheap beside most claims: they come last.
+  std::vector<std::pair<ReportedScheme*, std::vector<Rational>>> points;
+  for (ReportedScheme& reported : schemes) {
+    std::vector<Claim> claims;
+    for (const DecidedClaim& decided : reported.claims) claims.push_back(decided.claim);
+    for (std::vector<Rational>& point : exponent_points(reported.scheme, claims)) points.emplace_back(&reported, std::move(point));
+  }
+  std::vector<std::optional<DecidedExponent>> exponents(points.size());
   Progress progress(!options.quiet);
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t index) {
+  tbb::parallel_for(std::size_t{0}, work.size() + points.size(), [&](std::size_t index) {
+    if (index >= work.size()) {
+      const auto& [reported, point] = points[index - work.size()];
+      exponents[index - work.size()] = decide_exponent(reported->scheme, point, stop);
+      return;
+    }
     auto& [reported, k] = work[index];
     DecidedClaim& decided = reported->claims[k];
     decided.verdict = prove(reported->scheme, decided.claim, {}, stop);
@@ -90,6 +98,9 @@ void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, 
     const std::scoped_lock lock(mutex);
     progress.show(fmt::format("{} of {} claims", ++done, work.size()));
   }, tbb::simple_partitioner());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (exponents[k]) points[k].first->exponents.push_back(std::move(*exponents[k]));
+  }
 }
 
 /// The day of SOURCE_DATE_EPOCH; nothing without it.
@@ -137,6 +148,7 @@ void write_certificates(const std::vector<ReportedScheme>& schemes, const std::s
     for (const DecidedClaim& decided : reported.claims) {
       if (!decided.certificate.empty()) output.write(folder + decided.certificate, "certificate", decided.verdict.certificate_json);
     }
+    for (const DecidedExponent& decided : reported.exponents) output.write(folder + decided.certificate, "certificate", decided.certificate_json);
     if (reported.filters) output.write(folder + reported.filters->certificate, "certificate", reported.filters->proof.certificate_json);
     for (const auto& [name, json] : reported.weight ? exponent_certificates(reported.scheme, *reported.weight) : std::vector<std::pair<std::string, std::string>>{}) {
       output.write(folder + name, "certificate", json);
@@ -157,7 +169,7 @@ std::vector<std::string> command_words(const ReportOptions& options) {
 }
 
 void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
-  const Document document = proof_report(schemes, {.title = {}, .front_matter = false, .figures = false, .polygons = {}}, stop);
+  const Document document = proof_report(schemes, {.title = {}, .front_matter = false, .figures = false, .polygons = {}, .nets = {}}, stop);
   output.write(options.output.filename().string(), "latex", to_latex(document, load_bibliography(), {.fragment = true, .date = {}}));
   write_certificates(schemes, "", output);
 }
@@ -165,6 +177,7 @@ void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOpti
 void write_report(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
   ProofReportOptions contents;
   contents.polygons = data_path("polygons");
+  contents.nets = data_path("surfaces");
   const Document document = proof_report(schemes, contents, stop);
   const bool latex = options.format == "latex";
   for (const Figure* figure : figures(document)) {

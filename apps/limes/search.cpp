@@ -123,8 +123,7 @@ class Search {
     record.verdict = to_string(trial.verdict->outcome);
     record.reason = trial.verdict->reason;
     if (trial.verdict->outcome == Outcome::certified && !options_.certificates.empty()) {
-      std::error_code error;
-      fs::create_directories(options_.certificates, error);
+      make_directory(options_.certificates);
       const fs::path file = options_.certificates / fmt::format("{}.search.{}.{}.json", scheme_.name, trial.start, options_.claim);
       write_file(file, trial.verdict->certificate_json);
       record.certificate = file.string();

@@ -5,14 +5,19 @@
 #include "algebra/error.hpp"
 
 #include "analysis/nonstationary/space_moments.hpp"
+#include "analysis/surface/characteristic_map.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
+#include "reports/plot/characteristic_map_plot.hpp"
 #include "schemes/catalogue.hpp"
+#include "schemes/surface/ring_expression.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <iostream>
+#include <numbers>
 
 namespace limes::app {
 namespace {
@@ -152,13 +157,47 @@ void print_surface(const Scheme& scheme) {
   line("kind", to_string(scheme.kind));
   if (!scheme.sources.empty()) line("source", fmt::format("{}", fmt::join(scheme.sources, ", ")));
   line("curve scheme", scheme.surface->curve);
-  line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
+  const RingRule& rings = scheme.surface->rings;
+  line("around", rings.dual ? "extraordinary faces (dual scheme)" : "extraordinary vertices (primal scheme)");
+  if (scheme.surface->virtual_points) line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
+  if (scheme.surface->virtual_points) return;
+  for (const auto& [point, terms] : rings.given)
+    line("new " + to_string(point), to_string(terms, scheme.surface->sequence.level_parameter));
+}
+
+/// At the limit mu = 1; --json names the files.
+int draw_characteristic_map(const Scheme& scheme, const ShowOptions& options) {
+  if (!scheme.surface) throw InputError(fmt::format("--characteristic-map: {} is no surface scheme", scheme.name));
+  if (options.outputs.empty()) throw InputError("--characteristic-map needs a file: -o map.svg");
+  const int valence = *options.characteristic_map;
+  const RingRule& rule = scheme.surface->rings;
+  const int rings = rule.invariant_rings(rule.curve.symbol.highest());
+  try {
+    const ApproxCharacteristicMap map(rule, rings, valence, std::cos(std::numbers::pi / valence));
+    const std::string title = fmt::format("{}, valence {}: lambda = {:.6f}", scheme.name, valence, map.eigenvalue().value);
+    const Plot plot = characteristic_map_plot(map, valence, {.title = title});
+    std::vector<OutputFile> outputs;
+    for (const std::filesystem::path& file : options.outputs) {
+      const std::string ending = file.extension().string();
+      if (ending != ".svg" && ending != ".pgf" && ending != ".png")
+        throw InputError(fmt::format("-o {}: the ending is none of .svg, .pgf, .png", file.string()));
+      outputs.push_back({file.string(), ending.substr(1)});
+    }
+    for (const OutputFile& output : outputs)
+      write_file(output.file, output.kind == "svg" ? to_svg(plot) : output.kind == "pgf" ? to_pgf(plot) : to_png(plot));
+    if (options.json) std::cout << outputs_json(outputs);
+  } catch (const DomainError& error) {
+    throw InputError(fmt::format("{} has no characteristic map at valence {}: {}", scheme.name, valence, error.what()));
+  }
+  return all_as_expected;
 }
 
 }  // namespace
 
 int run_show(const ShowOptions& options) {
   const Scheme scheme = load_scheme(options.scheme);
+  if (options.characteristic_map) return draw_characteristic_map(scheme, options);
+  if (!options.outputs.empty()) throw InputError("-o belongs to --characteristic-map");
   if (scheme.surface && options.latex) {
     throw InputError(fmt::format("{} is a surface scheme: --latex shows its curve scheme, {}", scheme.name, scheme.surface->curve));
   }

@@ -109,6 +109,8 @@ constexpr std::pair<std::string_view, TheoremChecker> theorem_checkers[] = {
     {"B1", check_biorthogonality},
     {"JSR", check_joint_spectral_radius},
     {"U3", check_hoelder_exponent},
+    {"E1", check_vertex},
+    {"E2", check_vertex},
 };
 
 std::string prove(std::string_view text) {

@@ -29,6 +29,9 @@ std::string check_s2(const nlohmann::json& certificate, Budget& budget);
 /// JSR: bounds of, or the exact, joint spectral radius of a family of rational matrices.
 std::string check_joint_spectral_radius(const nlohmann::json& certificate, Budget& budget);
 
+/// E1 and E2: the spectral condition of a surface scheme at its extraordinary vertices, and C^1 there.
+std::string check_vertex(const nlohmann::json& certificate, Budget& budget);
+
 /// U3: bounds of the Hoelder exponent of a uniform scheme at one parameter value.
 std::string check_hoelder_exponent(const nlohmann::json& certificate, Budget& budget);
 

@@ -243,6 +243,10 @@ class MapSearch {
       }
     } else if (middle != Seems::smooth && votes[1] != Seems::smooth && votes[2] != Seems::smooth) {
       if (prove_cell(cell, true, record)) return record;
+      if (const std::optional<Rational> value = cut_beside_critical_end(interval, votes)) {
+        cut_interval(cell, {*value}, record);
+        return record;
+      }
     } else if (middle != Seems::critical) {
       for (const std::size_t end : {1, 2}) {
         if (votes[end] != middle && votes[end] != Seems::critical) {
@@ -281,7 +285,7 @@ class MapSearch {
     if (denominator(point[axis]) <= short_denominator && seems_at(point) == Seems::critical && is_inside(interval, point[axis])) {
       return {point[axis]};
     }
-    const Rational margin = options_.tolerance / 64;
+    const Rational margin = options_.tolerance / 20;
     std::vector<Rational> cuts;
     for (const Rational& cut : {simplest_between(crossing - 2 * margin, crossing - margin),
                                 simplest_between(crossing + margin, crossing + 2 * margin)}) {
@@ -289,6 +293,16 @@ class MapSearch {
     }
     if (cuts.empty()) cuts.push_back(middle_of(interval));
     return cuts;
+  }
+
+  /// A value close to the one critical end of a rough cell: whatever is refuted there ends before it.
+  std::optional<Rational> cut_beside_critical_end(const Interval& interval, const std::vector<Seems>& votes) const {
+    const bool at_lower = votes[1] == Seems::critical;
+    if (votes[0] != Seems::rough || at_lower == (votes[2] == Seems::critical)) return std::nullopt;
+    const Rational margin = options_.tolerance / 20, distance = interval.width() / 2;
+    if (distance <= 2 * margin) return std::nullopt;
+    const Rational near = at_lower ? interval.lower + margin : interval.upper - 2 * margin;
+    return simplest_between(near, near + margin);
   }
 
   static bool is_inside(const Interval& interval, const Rational& x) { return interval.lower < x && x < interval.upper; }

@@ -28,11 +28,21 @@ class ContractionProver {
   };
   Attempt attempt(const Box& box) const;
 
+  /// Where to cut a box on which there is no proof, strictly inside: in the middle, or nearer to an end at which the difference scheme
+  /// hardly contracts, so that the least gap 1 - JSR falls by equal factors over the two halves: leaves may be longer far from the
+  /// boundary of the contractive range.
+  Rational cut(const Box& box, int axis) const;
+
  private:
   std::optional<int> approx_level(const std::vector<Rational>& point) const;
   bool proves_norm(int level, const Box& box) const;
   std::optional<PolytopeWitness> find_polytope_on(const Box& box) const;
   bool is_cheap(int level, const Box& box) const;
+  struct Gaps {
+    double lower, upper;
+  };
+  /// 1 - JSR at the ends of the one axis of the box that is no point, floating; nothing when there are more or the scheme is undefined there.
+  std::optional<Gaps> approx_gaps(const Box& box) const;
 
   const LaurentPolynomial& b_;
   const MultivariatePolynomial& denominator_;

@@ -82,10 +82,6 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
   }
 }
 
-std::string certificate_words(const DecidedClaim& decided) {
-  return fmt::format("Certificate `{}`, SHA-256 `{}…`.", decided.certificate, sha256(decided.verdict.certificate_json).substr(0, 12));
-}
-
 /// The box common to both, if it is not empty.
 std::optional<Box> intersection(const Box& a, const Box& b) {
   Box result;
@@ -103,6 +99,10 @@ std::optional<Box> intersection(const Box& a, const Box& b) {
 
 void append(Blocks& blocks, Blocks more) {
   for (Block& block : more) blocks.push_back(std::move(block));
+}
+
+RichText certificate_text(const std::string& name, const std::string& json) {
+  return rich(fmt::format("Certificate `{}` (SHA-256 `{}`).", name, sha256(json).substr(0, 12)));
 }
 
 RichText statement_text(const Claim& claim) {
@@ -145,7 +145,7 @@ Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportSt
       }
     }
     append(proof.body, proof_of(scheme, *verdict.certificate, state, stop));
-    proof.body.push_back(paragraph(certificate_words(decided)));
+    proof.body.push_back(Paragraph{certificate_text(decided.certificate, decided.verdict.certificate_json)});
     proof.body = flowing(std::move(proof.body));
     blocks.push_back(std::move(proof));
   }

@@ -13,6 +13,8 @@ std::string display_latex(const Rational& x);
 /// "w \in (0, 21/500],\ \mu = 1", empty without parameters.
 std::string region_latex(const Scheme& scheme, const Box& region);
 std::string parameter_latex(const std::string& name);
+/// A name of an insertion rule: \omega, \mathit{cr}_1.
+std::string rule_name(const std::string& name);
 /// "w = 1/16, \mu = 2"
 std::string point_latex(const VariableNames& names, std::span<const Rational> point);
 

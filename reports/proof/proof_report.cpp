@@ -74,12 +74,13 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   state.shown.clear();
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
-  if (options.figures && (scheme.kind == SchemeKind::uniform || scheme.insertion_rule)) append(blocks, scheme_figures(reported, options.polygons, stop));
+  if (options.figures) append(blocks, scheme_figures(reported, options, stop));
   if (reported.weight) append(blocks, weight_section(scheme, *reported.weight));
   for (const DecidedClaim& decided : reported.claims) {
     stop.check();
     append(blocks, decided_claim(scheme, decided, state, stop));
   }
+  append(blocks, exponent_text(reported));
   if (reported.filters) append(blocks, filter_section(scheme, *reported.filters));
   if (!options.figures) std::erase_if(blocks, [](const Block& block) { return std::holds_alternative<Figure>(block); });
   return blocks;
@@ -101,7 +102,8 @@ Document proof_report(const std::vector<ReportedScheme>& schemes, const ProofRep
   Document document{.title = options.title, .subtitle = {}, .blocks = {}};
   if (options.front_matter) append(document.blocks, summary(schemes));
   document.blocks.push_back(Heading{1, rich("What is proved, and how"), "theorems"});
-  append(document.blocks, theorem_statements(used_theorems(schemes)));
+  const bool exponents = std::any_of(schemes.begin(), schemes.end(), [](const ReportedScheme& reported) { return !reported.exponents.empty(); });
+  append(document.blocks, theorem_statements(used_theorems(schemes), exponents));
   if (std::any_of(schemes.begin(), schemes.end(), [](const ReportedScheme& reported) { return reported.filters.has_value(); })) append(document.blocks, biorthogonality_theorem());
   ReportState state;
   for (const ReportedScheme& reported : schemes) append(document.blocks, section(reported, options, state, stop));

@@ -30,7 +30,7 @@ Blocks conventions(bool knots) {
 
 }  // namespace
 
-Blocks theorem_statements(const std::set<Theorem>& theorems) {
+Blocks theorem_statements(const std::set<Theorem>& theorems, bool exponents) {
   Blocks blocks = conventions(theorems.contains(Theorem::n1) || theorems.contains(Theorem::n3));
   if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1)) {
     blocks.push_back(theorem("U1", " [@Dyn1992], [@DynLevin2002]",
@@ -42,6 +42,12 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
     blocks.push_back(theorem("U2", " [@CavarettaDahmenMicchelli1991], [@DynLevin2002]",
                              {paragraph("Let the integer shifts of the basic limit function be stable. If the scheme is $C^m$, then $a(1)=p$, $\\sigma^{m+1}$ divides $a$, and every product of the "
                                         "sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, of $b=p^m a/\\sigma^{m+1}$ has a spectral radius below $1$.")}));
+  }
+  if (exponents) {
+    blocks.push_back(theorem("U3", " [@Rioul1992], [@DynLevin2002], [@GuglielmiProtasov2013]",
+                             {paragraph("The Hölder exponent is the supremum of $m+\\alpha$, $0\\le\\alpha\\le1$, such that all limits have $m$ derivatives, the last one with exponent $\\alpha$. Let $a(1)=p$ and "
+                                        "$a(z)=p^{1-k}\\sigma(z)^kb(z)$, $k\\ge1$, and let $\\varrho$ be the joint spectral radius of the sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$. If $\\varrho<p^{k-1}$, the exponent is at least "
+                                        "$k-1-\\log_p\\varrho$. It is equal to it if the integer shifts of the basic limit function are stable and $k$ is the greatest possible order.")}));
   }
   if (theorems.contains(Theorem::n1)) {
     blocks.push_back(theorem("N1", " [@Warren1995], [@DaubechiesGuskovSweldens1999], [@KarciauskasPeters2013]",

@@ -111,7 +111,8 @@ TableCommand read_table_command(std::string_view text) {
 const std::vector<TableVerb>& table_verbs() {
   using namespace table_impl;
   static const std::vector<TableVerb> verbs{
-      {"derive", derive_values}, {"map", map_values}, {"matrix", matrix_values}, {"norm", norm_values}, {"show", show_values}, {"verify", verify_values}};
+      {"derive", derive_values}, {"map", map_values}, {"matrix", matrix_values}, {"norm", norm_values}, {"show", show_values},
+      {"spectrum", spectrum_values}, {"verify", verify_values}};
   return verbs;
 }
 

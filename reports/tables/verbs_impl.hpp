@@ -14,6 +14,8 @@ ComputedResult show_values(const TableCommand& command, const Stop& stop);
 ComputedResult derive_values(const TableCommand& command, const Stop& stop);
 /// matrix SCHEME --param .. --param gamma=..: modulus, re, im of the eigenvalues by falling modulus; size
 ComputedResult matrix_values(const TableCommand& command, const Stop& stop);
+/// spectrum SCHEME --valence N [--level K] [--param ..] [--rings R]: modulus, re, im of the eigenvalues by falling modulus; size
+ComputedResult spectrum_values(const TableCommand& command, const Stop& stop);
 
 /// map SCHEME --claim C2 --param w=[a,b] --tolerance T: the ends of the certified and of the refuted intervals, in turn; unknown_measure
 ComputedResult map_values(const TableCommand& command, const Stop& stop);

@@ -59,20 +59,27 @@ void improve_by_norms(const LaurentPolynomial& b, int p, HoelderExponent& expone
   }
 }
 
-/// The joint spectral radius of the sections of b. A few vectors suffice for most schemes; where they do not, norms may, in particular for masks that
+/// The joint spectral radius of the sections of b. After a short search for a polytope norms are tried, which are good in particular for masks that
 /// nearly satisfy one sum rule more: then all products have nearly the same radius, which is hard for polytopes.
 void bound_radius(const MatrixFamily& sections, const LaurentPolynomial& b, int p, int digits, const PolytopeLimits& limits, HoelderExponent& exponent,
                   const Stop& stop) {
-  constexpr std::size_t few_vectors = 250;
+  constexpr std::size_t few_vectors = 60;
   PolytopeLimits few = limits;
   few.max_vectors = std::min(limits.max_vectors, few_vectors);
   const auto narrow = [&] { return exponent.radius.upper <= exponent.radius.lower * (1 + power(Rational(1, 10), digits)); };
   for (const PolytopeLimits& now : {few, limits}) {
     exponent.radius = bound_spectral_radius(sections, {digits, now}, stop);
     exponent.level.reset();
-    if (exponent.radius.exact || narrow()) return;
-    if (!exponent.radius.interrupted) improve_by_norms(b, p, exponent, stop);
-    if (narrow() || exponent.radius.interrupted || now.max_vectors == limits.max_vectors) return;
+    if (exponent.radius.exact) return;
+    if (exponent.radius.interrupted) return;
+    try {
+      improve_by_norms(b, p, exponent, stop);
+    } catch (const Interrupted&) {  // what is known by then holds
+      exponent.radius.interrupted = true;
+      return;
+    }
+    if (exponent.level && narrow()) return;
+    if (now.max_vectors == limits.max_vectors) return;
   }
 }
 

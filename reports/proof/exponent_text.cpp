@@ -78,8 +78,8 @@ Blocks proof_blocks(const Scheme& scheme, const DecidedExponent& decided) {
     if (!radius.blocks.empty() && radius.blocks.size() == 1) text += fmt::format("{} is a polytope whose image under every section lies in $\\varrho$ times itself.", ball);
     else text += fmt::format("in coordinates in which the sections are block triangular, polytopes with ${}$ vectors in all show that no block exceeds it.", count);
   } else {
-    text += fmt::format("The joint spectral radius $\\varrho$ of the sections of $b$ is at least $\\rho({}){}$, and at most a bound that polytopes with ${}$ vectors prove: $\\varrho{}$.", word.empty() ? "B_0" : word, root, count,
-                        radius_latex(radius));
+    const std::string above = exponent.level ? fmt::format("$\\lVert S_b^{{{0}}}\\rVert^{{1/{0}}}$", *exponent.level) : fmt::format("a bound that polytopes with ${}$ vectors prove", count);
+    text += fmt::format("The joint spectral radius $\\varrho$ of the sections of $b$ is at least $\\rho({}){}$, and at most {}: $\\varrho{}$.", word.empty() ? "B_0" : word, root, above, radius_latex(radius));
   }
   if (exponent.bounds.upper) text += " The integer shifts are stable.";
   blocks.push_back(paragraph(text + " [Theorem U3](#theorem-U3) applies."));

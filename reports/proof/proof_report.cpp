@@ -75,12 +75,12 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
   if (options.figures) append(blocks, scheme_figures(reported, options, stop));
-  if (reported.weight) append(blocks, weight_section(scheme, *reported.weight));
   for (const DecidedClaim& decided : reported.claims) {
     stop.check();
     append(blocks, decided_claim(scheme, decided, state, stop));
   }
   append(blocks, exponent_text(reported));
+  if (reported.weight) append(blocks, weight_section(scheme, *reported.weight));
   if (reported.filters) append(blocks, filter_section(scheme, *reported.filters));
   if (!options.figures) std::erase_if(blocks, [](const Block& block) { return std::holds_alternative<Figure>(block); });
   return blocks;

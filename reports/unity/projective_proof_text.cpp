@@ -13,6 +13,8 @@ namespace {
 constexpr int digits = 9;
 
 std::string near(const Rational& x) { return to_decimal(x, digits, Rounding::nearest); }
+/// The first digits, for a text that goes on with dots.
+std::string truncated(const Rational& x) { return to_decimal(x, digits, x < 0 ? Rounding::up : Rounding::down); }
 
 /// "A_0^2A_1": the product in the order in which it is written, the letter applied first on the right.
 std::string product_latex(const std::vector<int>& word) {
@@ -70,7 +72,7 @@ std::vector<Block> roughness_proof(const ProjectiveRoughness& roughness) {
       "By [Theorem P2](#theorem-P2) the word $W$ with $A_W={}$ shows that the limits are not $C^1$: it has the eigenvalues $\\lambda_1={}\\ldots$, with an eigenvector inside of the cone, and "
       "$\\lambda_2={}\\ldots$, hence $|\\lambda_2/\\lambda_1|^{{1/{}}}={:.6f}\\ldots>\\frac12$. The limit in the direction of $\\lambda_2$ does not vanish in the window $A_U={}$. The eigenpairs are enclosed within about "
       "$10^{{-28}}$ by the Newton--Kantorovich test.",
-      product_latex(roughness.word), to_decimal(roughness.dominant.value, digits, Rounding::down), to_decimal(roughness.second.value, digits, Rounding::down), roughness.word.size(), std::floor(ratio * 1e6) / 1e6,
+      product_latex(roughness.word), truncated(roughness.dominant.value), truncated(roughness.second.value), roughness.word.size(), std::floor(ratio * 1e6) / 1e6,
       product_latex(roughness.window)))});
   return blocks;
 }

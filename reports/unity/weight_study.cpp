@@ -76,7 +76,7 @@ std::vector<std::pair<std::string, std::string>> exponent_certificates(const Sch
   for (std::size_t k = 0; k < study.costs.size(); ++k) {
     const SmoothnessCost& cost = study.costs[k];
     if (cost.exponent_certificate.empty() || (k > 0 && study.costs[k - 1].mask == cost.mask)) continue;
-    certificates.emplace_back(fmt::format("{}.sum-rules-{}.holder.json", scheme.name, cost.sum_rules), cost.exponent_certificate);
+    certificates.emplace_back(fmt::format("{}.sum-rules-{}.hoelder.json", scheme.name, cost.sum_rules), cost.exponent_certificate);
   }
   return certificates;
 }

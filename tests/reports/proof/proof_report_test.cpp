@@ -138,6 +138,49 @@ claim = "C1"
   EXPECT_THAT(text, HasSubstr("\\limesplot{sequence-angles-1}"));
 }
 
+TEST(ProofReport, MaskOfAWeightFunction) {
+  ReportedScheme reported = decided(R"(name = "degree-6"
+kind = "uniform"
+source = "MoltajiRunionsSamavati2016"
+[uniform]
+mask = ["0.218601", "0.487201", "0.593167", "0.487201", "0.218601"]
+[weight]
+function = "polynomial(64-48*u^2+12*u^4-u^6, domain=[-2,2])"
+samples = 501
+[[claims]]
+claim = "only zero limits"
+[[claims]]
+claim = "not C0"
+[[claims]]
+claim = "projective C0"
+[[claims]]
+claim = "not projective C1"
+)");
+  reported.weight = study_weight(reported.scheme, {});
+  reported.filters = decide_filters(reported.scheme, 4, {});
+  ASSERT_TRUE(reported.filters);
+  EXPECT_GE(reported.weight->error, reported.weight->derived.least_error);
+  const Document document = proof_report({reported}, {});
+  const std::string text = to_latex(document, {});
+  EXPECT_THAT(text, HasSubstr("differ from $1$ by $30369/1000000$ and $-12799/500000$, exactly"));
+  EXPECT_THAT(text, HasSubstr("What smoothness costs"));
+  EXPECT_THAT(text, HasSubstr("not $C^{3}$"));
+  EXPECT_THAT(text, HasSubstr("has a real eigenvalue of at least $1$"));
+  EXPECT_THAT(text, HasSubstr("multiply the oscillation of the points of a window by at most $q="));
+  EXPECT_THAT(text, HasSubstr("|\\lambda_2/\\lambda_1|^{1/"));
+  EXPECT_THAT(text, HasSubstr("Theorem B1"));
+  EXPECT_THAT(text, HasSubstr("These filters are biorthogonal"));
+  std::vector<std::string> names;
+  for (const Figure* figure : figures(document)) names.push_back(figure->name);
+  EXPECT_THAT(names, testing::IsSupersetOf({"degree-6-weight", "degree-6-cost", "degree-6-filters"}));
+  for (const Figure* figure : figures(document)) {
+    for (const Figure::Panel& panel : figure->panels) EXPECT_FALSE(panel.data.empty()) << figure->name;
+  }
+  EXPECT_EQ(exponent_certificates(reported.scheme, *reported.weight).size(), 2u);
+  const std::string fragment = to_latex(proof_report({reported}, {.title = {}, .front_matter = false, .figures = false, .polygons = {}}), {}, {.fragment = true, .date = {}});
+  EXPECT_THAT(fragment, testing::Not(HasSubstr("includegraphics")));
+}
+
 TEST(ProofReport, UndecidedSaysWhy) {
   ReportedScheme reported = decided(four_point);
   reported.claims.front().verdict = Verdict{};

@@ -1,6 +1,8 @@
 // Surfaces: refining a closed mesh to level 6 in one thread, and the spectra around a vertex for every valence.
 #include "analysis/surface/spectrum_settings.hpp"
 #include "geometry/refine_mesh.hpp"
+#include "proofs/checker/checker.hpp"
+#include "proofs/prove.hpp"
 #include "schemes/catalogue.hpp"
 
 #include <benchmark/benchmark.h>
@@ -81,12 +83,30 @@ void spectra(benchmark::State& state, const char* name, const char* setting, int
   }
 }
 
+/// "C1" at all valences, or at one, with its re-check, or the re-check alone.
+void smooth(benchmark::State& state, const char* name, const char* valences, bool check_only) {
+  const Scheme scheme = load(name);
+  Claim claim = read_statement("C1");
+  claim.valences = read_valences(valences);
+  for (std::size_t k = 0; k < scheme.parameters.size(); ++k) claim.region.push_back(Interval::point(0));
+  const Verdict verdict = prove(scheme, claim);
+  if (verdict.outcome != Outcome::certified) return state.SkipWithError("not certified");
+  for (auto _ : state) {
+    if (check_only) benchmark::DoNotOptimize(checker::check(verdict.certificate_json));
+    else benchmark::DoNotOptimize(prove(scheme, claim));
+  }
+}
+
 BENCHMARK(refine_six_levels)->Arg(4)->Arg(6)->Arg(9)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(spectra, catmull_clark, "catmull-clark", nullptr, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(spectra, doo_sabin, "doo-sabin", nullptr, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(spectra, unified_limit, "unified", nullptr, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(spectra, unified_limit_three_rings, "unified", nullptr, 3)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(spectra, unified_level_0, "unified", "theta=pi/3", 0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth, unified_all, "unified", "[3, inf)", false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth, unified_all_check, "unified", "[3, inf)", true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth, unified_5_check, "unified", "5", true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(smooth, catmull_clark_all_check, "catmull-clark", "[3, inf)", true)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace limes

@@ -105,7 +105,7 @@ std::string check_vertex(const Json& json, Budget& budget) {
   }
 
   const std::string where = std::string(" at extraordinary ") + (scheme.dual ? "faces" : "vertices") + " of " + shown(valences);
-  if (smooth) return "certified: " + scheme.name + " is C1" + where + levels + " (theorem E2)";
+  if (smooth) return "certified: " + scheme.name + " is C1 for almost every net" + where + levels + " (theorem E2)";
   if (!has_levels) return "certified: " + scheme.name + " satisfies the spectral condition" + where + " (theorem E1)";
   return "certified: the limit matrix M of " + scheme.name + (scheme.hyperbolic ? " (hyperbolic)" : " (trigonometric)") +
          " satisfies the spectral condition" + where + ", and the sum of 2^k ||M_k - M|| is finite" + levels +

@@ -106,11 +106,16 @@ with tempfile.TemporaryDirectory() as directory:
     for name, text in (("one", ONE_SIDED), ("two", BY_COEFFICIENTS)):
         pathlib.Path(directory, name + ".toml").write_text(text)
     subprocess.run([limes, "verify", "four-point", "cr1", "a1-3-1", directory + "/one.toml", directory + "/two.toml",
-                    "unified-curve", "doo-sabin", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+                    "unified-curve", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
     for claim in ("reproduces {1, y^2}", "does not reproduce {y}"):
         subprocess.run([limes, "verify", "unified-curve", "--claim", claim, "--certificates", directory, "--quiet"], check=False,
                        stdout=subprocess.DEVNULL)
-    subprocess.run([limes, "verify", "unified", "--claim", "spectral-condition", "--valence", "3..5", "--certificates", directory, "--quiet"], check=True,
+    for scheme, claim, valences in (("catmull-clark", "C1", "[3, inf)"), ("doo-sabin", "C1", "[3, 5]"), ("doo-sabin", "spectral-condition", "4")):
+        subprocess.run([limes, "verify", scheme, "--claim", claim, "--valence", valences, "--certificates", directory, "--quiet"], check=True,
+                       stdout=subprocess.DEVNULL)
+        for path in pathlib.Path(directory).glob(scheme + ".asked*.json"):
+            path.rename(path.with_name(f"{scheme}.{claim}.{len(valences)}.json"))
+    subprocess.run([limes, "verify", "unified", "--param", "theta=0", "--certificates", directory, "--quiet"], check=True,
                    stdout=subprocess.DEVNULL)
     for path in pathlib.Path(directory).glob("*.json"):
         certificates[path.name] = json.loads(path.read_text())

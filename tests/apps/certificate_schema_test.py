@@ -114,7 +114,7 @@ with tempfile.TemporaryDirectory() as directory:
     for name, text in (("one", ONE_SIDED), ("two", BY_COEFFICIENTS)):
         pathlib.Path(directory, name + ".toml").write_text(text)
     subprocess.run([limes, "verify", "four-point", "cr1", "a1-3-1", directory + "/one.toml", directory + "/two.toml",
-                    "unified-curve", "doo-sabin", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+                    "unified-curve", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
     for claim in ("reproduces {1, y^2}", "does not reproduce {y}"):
         subprocess.run([limes, "verify", "unified-curve", "--claim", claim, "--certificates", directory, "--quiet"], check=False,
                        stdout=subprocess.DEVNULL)

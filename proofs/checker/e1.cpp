@@ -280,7 +280,9 @@ class AllValences {
     for (const auto& [from, to, separator, low, high] : cells_) {
       if (low <= touch) fail("the touching separator is not below all roots");
       const auto on_this = [&](const Family& f) { return on_box(f, low, high, from, to, budget_); };
-      const Enclosure slope = absolute(on_this(derivative_by_second(*leading_))) / on_this(derivative_by_root(*leading_));
+      const Enclosure by_own_root = on_this(derivative_by_root(*leading_));
+      if (!by_own_root.is_positive()) fail("the subdominant eigenvalue is not proved to be differentiable");
+      const Enclosure slope = absolute(on_this(derivative_by_second(*leading_))) / by_own_root;
       const Enclosure by_root = on_box(derivative_by_root(*zero), low, high, 0, x, budget_);
       const Enclosure by_x = on_box(derivative_by_second(*zero), low, high, 0, x, budget_);
       // F' = g_x + g_lambda lambda'(c) c'(x), and c'(x)^2 = 4 pi^2 (1 - c^2).

@@ -12,7 +12,10 @@ inline Json harmonic(int h, int a, int b, const std::string& weight) {
   return {{"point", {a, b}}, {"harmonic", h}, {"weight", weight}};
 }
 
-inline Json rule(int a, int b, const Json& terms) { return {{"point", {a, b}}, {"terms", terms}}; }
+/// \param terms a list of them, or one
+inline Json rule(int a, int b, const Json& terms) {
+  return {{"point", {a, b}}, {"terms", terms.is_object() ? Json::array({terms}) : terms}};
+}
 
 inline Json surface_scheme(bool dual, const std::vector<std::string>& mask, const Json& rules) {
   return {{"kind", "surface"},
@@ -38,7 +41,7 @@ inline Json doo_sabin() {
 }
 
 /// The four-point scheme with virtual points: X = alpha (H + V) + beta (L + P), V_i = (4/n) sum L - (L_{i-1} + L_i + L_{i+1}) + kappa (K_{i-2} +
-/// K_{i-1} + K_i + K_{i+1} - (4/n) sum K); at mu = 1, in units of 1/(4096 kappa_denominator) to stay with integers, or in mu.
+/// K_{i-1} + K_i + K_{i+1} - (4/n) sum K); alpha, beta and kappa are expressions, at mu = 1 by default.
 /// [Kobbelt 1996; Bari, Mustafa, Ghaffar, Nisar & Baleanu 2021]
 inline Json unified(const std::string& alpha = "-1/16", const std::string& beta = "9/16", const std::string& kappa = "1/9") {
   const std::string a = "(" + alpha + ")", b = "(" + beta + ")", k = "(" + kappa + ")";

@@ -138,7 +138,7 @@ TEST(VertexSpectrum, EnclosuresAtALevelAreNearThoseOfANearbyRationalParameter) {
 
 // The eigenvalues c/4 and -(4 c^2 - 1)/8 differ as polynomials in c, and are equal at n = 5, where c^2 = 1/4 - c/2.
 TEST(VertexSpectrum, EigenvaluesThatAreEqualAtOneValenceOnlyAreADoubleOneThere) {
-  const Scheme scheme = read_scheme(R"(
+  const Scheme scheme = read_scheme(R"toml(
 name = "double"
 kind = "surface"
 [surface]
@@ -147,7 +147,7 @@ curve = "b-spline-1"
 "0,0" = "at(0,0)"
 "1,0" = "3/4*at(0,0) + 1/8*at(1,0,1) + 1/8*at(1,0,-1)"
 "1,1" = "11/8*at(0,0) - 1/8*at(1,1,2) - 1/8*at(1,1,-2) - 1/8*at(1,1)"
-)", "double.toml");
+)toml", "double.toml");
   const VertexSpectrum spectrum(scheme.surface->rings);
   for (const int n : {5, 7}) {
     const std::vector<VertexEigenvalue> all = spectrum.eigenvalues(n, limit);

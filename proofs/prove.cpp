@@ -211,6 +211,8 @@ Verdict prove_for_surface(const Scheme& scheme, const Claim& claim, const ProofL
                       {.proof = std::move(*attempt.proof), .theorem = theorem, .reason = {}, .failing_point = {}, .failing_ratio = {}});
     }
     undecided.reason = attempt.reason;
+  } catch (const DomainError& error) {  // a pole of a weight at some valence
+    undecided.reason = error.what();
   } catch (const LimitError& error) {
     undecided.reason = error.reason();
   } catch (const Interrupted& interrupted) {

@@ -33,15 +33,18 @@ Rational between(double low, double high) {
   return rounded((low + high) / 2, false, 15);
 }
 
-/// The blocks at mu = 1; for one valence, or where they do not depend on it.
+/// The blocks at mu = 1, in the valence.
 struct Blocks {
-  ApproxBlock zero, first, generic;
+  VertexBlock zero, first, generic;
+  bool has_harmonic;
 
-  Blocks(const RingRule& rule, int rings, int n)
-      : zero(harmonic_block(rule, rings, 0).at(1, n)),
-        first((has_harmonic(rule) ? harmonic_block(rule, rings, 1) : generic_block(rule, rings)).at(1, n)),
-        generic(generic_block(rule, rings).at(1, n)) {}
-  static bool has_harmonic(const RingRule& rule) { return harmonics(rule).size() > 1; }
+  Blocks(const RingRule& rule, int rings)
+      : zero(harmonic_block(rule, rings, 0)), generic(generic_block(rule, rings)), has_harmonic(harmonics(rule).size() > 1) {
+    first = has_harmonic ? harmonic_block(rule, rings, 1) : generic;
+  }
+  ApproxBlock zero_at(int n) const { return ApproxBlock(zero.at(1, n)); }
+  ApproxBlock first_at(int n) const { return ApproxBlock(first.at(1, n)); }
+  ApproxBlock generic_at(int n) const { return ApproxBlock(generic.at(1, n)); }
 };
 
 /// The second greatest modulus; 0 without one.
@@ -49,18 +52,17 @@ double second(const std::vector<double>& moduli) { return moduli.size() > 1 ? mo
 
 class SpectrumProver {
  public:
-  SpectrumProver(const RingRule& rule, int rings, const ValenceRange& valences, const Stop& stop)
-      : rule_(rule), rings_(rings), valences_(valences), stop_(stop),
-        depends_on_n_(depends(generic_block(rule, rings)) || (Blocks::has_harmonic(rule) && depends(harmonic_block(rule, rings, 1)))) {}
+  SpectrumProver(const RingRule& rule, int rings, const Stop& stop)
+      : blocks_(rule, rings), stop_(stop), depends_on_n_(depends(blocks_.generic) || depends(blocks_.first)) {}
 
   std::optional<std::string> failure() const { return failure_; }
 
   /// The separator for one valence.
   std::optional<Rational> separator(int n) {
     stop_.check();
-    const Blocks blocks(rule_, rings_, n);
+    const ApproxBlock generic = blocks_.generic_at(n);
     const auto cosine = [&](int j) { return std::cos(2 * std::numbers::pi * j / n); };
-    const std::vector<double> zero = blocks.zero.moduli(1), first = blocks.first.moduli(cosine(1));
+    const std::vector<double> zero = blocks_.zero_at(n).moduli(1), first = blocks_.first_at(n).moduli(cosine(1));
     double others = second(zero);
     std::string where = "block 0";
     const auto note = [&](double modulus, int block) {
@@ -69,34 +71,33 @@ class SpectrumProver {
       where = fmt::format("block {}", block);
     };
     note(second(first), 1);
-    for (int j = 2; j <= n / 2; ++j) note(blocks.generic.moduli(cosine(j)).front(), j);
+    for (int j = 2; j <= n / 2; ++j) note(generic.moduli(cosine(j)).front(), j);
     if (first.front() > others * (1 + 1e-9) && first.front() < 1 - 1e-9) return between(others, first.front());
     failure_ = fmt::format("valence {}: block 1 has the eigenvalue {:.6f}, and {} one of modulus {:.6f}", n, first.front(), where, others);
     return std::nullopt;
   }
 
-  /// Proposals for all n >= from, the better ones first. None when the rules do not fit.
-  std::vector<AllValencesProof> for_all(int from) {
+  /// Makes proposals for all n >= from until one is accepted. \returns whether one is
+  bool for_all(int from, const std::function<bool(const AllValencesProof&)>& accepts) {
     if (depends_on_n_) {
       failure_ = "weights other than those of means and of the vertex depend on the valence";
-      return {};
+      return false;
     }
-    const Blocks blocks(rule_, rings_, from);
+    const ApproxBlock generic = blocks_.generic_at(from), first = blocks_.first_at(from);
     const double least = std::cos(2 * std::numbers::pi / from);
-    const bool harmonic = Blocks::has_harmonic(rule_);
     AllValencesProof proof{.from = from, .start = rounded(least - std::min(0.05, (least + 1) / 4), false), .bound = 0, .touch = {}, .cells = {}};
     const double start = proof.start.convert_to<double>();
-    const auto root = [&](double c) { return blocks.first.moduli(c).front(); };
+    const auto root = [&](double c) { return first.moduli(c).front(); };
 
     // The greatest modulus of the blocks that no cell knows, and the moduli of block 0.
     double others = 0, zero_second = 0, zero_third = 0, zero_least = 1;
     for (int k = 0; k <= 32; ++k) {
-      const double end = harmonic ? 1 : start;
-      others = std::max(others, blocks.generic.moduli(-1 + (end + 1) * k / 32).front());
+      const double end = blocks_.has_harmonic ? 1 : start;
+      others = std::max(others, generic.moduli(-1 + (end + 1) * k / 32).front());
     }
     for (int k = 0; k <= 32; ++k) {
       const int n = k == 32 ? 1000000 : static_cast<int>(std::lround(from * 32.0 / (32 - k)));
-      const std::vector<double> zero = ApproxBlock(harmonic_block(rule_, rings_, 0).at(1, n)).moduli(1);
+      const std::vector<double> zero = blocks_.zero_at(n).moduli(1);
       zero_second = std::max(zero_second, second(zero));
       zero_least = std::min(zero_least, second(zero));
       if (zero.size() > 2) zero_third = std::max(zero_third, zero[2]);
@@ -107,9 +108,8 @@ class SpectrumProver {
     if (others >= lowest || (touches && zero_third >= zero_least)) {
       failure_ = fmt::format("for all valences from {} on: block 1 has eigenvalues from {:.6f} on, and other blocks have one of modulus {:.6f}", from,
                              lowest, touches ? zero_third : others);
-      return {};
+      return false;
     }
-    std::vector<AllValencesProof> result;
     for (int cells = 4; cells <= 256; cells *= 4) {
       proof.cells.clear();
       double worst = lowest;
@@ -119,7 +119,7 @@ class SpectrumProver {
         const Rational to = k == cells ? Rational(1) : rounded(first_end + (1 - first_end) * k / cells, false);
         const double b = to.convert_to<double>(), low = std::min(root(a), root(b)), high = std::max(root(a), root(b));
         const double margin = 0.1 * (high - low) + 1e-6;
-        const double rest = std::max(second(blocks.first.moduli(a)), second(blocks.first.moduli(b)));
+        const double rest = std::max(second(first.moduli(a)), second(first.moduli(b)));
         proof.cells.push_back({to, between(rest, low - margin), {rounded(low - margin, false, 8), rounded(high + margin, true, 8)}});
         if (k > 0) worst = std::min(worst, low - margin);
         a = b;
@@ -127,16 +127,16 @@ class SpectrumProver {
       if (others >= worst) continue;
       proof.bound = between(others, worst);
       if (!touches) {
-        result.push_back(proof);
+        if (accepts(proof)) return true;
         continue;
       }
       for (const double part : {0.5, 0.25, 0.1}) {
         const double gap = std::min(zero_least, worst) - zero_third;
         proof.touch = rounded(zero_third + part * gap, false);
-        result.push_back(proof);
+        if (accepts(proof)) return true;
       }
     }
-    return result;
+    return false;
   }
 
  private:
@@ -148,9 +148,7 @@ class SpectrumProver {
     });
   }
 
-  const RingRule& rule_;
-  int rings_;
-  const ValenceRange& valences_;
+  Blocks blocks_;
   const Stop& stop_;
   bool depends_on_n_;
   std::optional<std::string> failure_;
@@ -199,6 +197,8 @@ VertexAttempt prove_spectral_condition(const Scheme& scheme, const Claim& claim,
   int reach = rule.curve.symbol.highest();
   for (const auto& [point, terms] : rule.given) reach = std::max(reach, ring_of(rule.dual, point));
   proof.rings = rule.invariant_rings(reach);
+  constexpr int most_rings = 8;
+  if (proof.rings > most_rings) return undecided(fmt::format("certificates are about at most {} rings; this scheme needs {}", most_rings, proof.rings));
   if (!rows_sum_to_one(rule, proof.rings)) return undecided("the weights of a rule do not sum to 1");
   if (!mirror_symmetric(rule, proof.rings)) return undecided("the rules are not symmetric under reflections of the vertex or face");
   if (const MaskSequence* sequence = scheme.level_sequence()) {
@@ -207,7 +207,7 @@ VertexAttempt prove_spectral_condition(const Scheme& scheme, const Claim& claim,
     proof.from_level = *level;
   }
 
-  SpectrumProver prover(rule, proof.rings, valences, stop);
+  SpectrumProver prover(rule, proof.rings, stop);
   const auto add_separators_before = [&](int end) {
     for (int n = valences.first + static_cast<int>(proof.separators.size()); n < end; ++n) {
       const std::optional<Rational> separator = prover.separator(n);
@@ -227,18 +227,18 @@ VertexAttempt prove_spectral_condition(const Scheme& scheme, const Claim& claim,
   std::string reason;
   for (int from = valences.first; from <= valences.first + 16; ++from) {
     if (!add_separators_before(from)) return undecided(*prover.failure());
-    for (AllValencesProof& all : prover.for_all(from)) {
+    const bool accepted = prover.for_all(from, [&](const AllValencesProof& all) {
       stop.check();
-      proof.all = std::move(all);
+      proof.all = all;
       const std::optional<std::string> rejected = vertex_rejection(scheme, claim, proof);
-      if (!rejected) {
-        attempt.proof = std::move(proof);
-        return attempt;
-      }
-      reason = *rejected;
-    }
+      if (rejected) reason = *rejected;
+      return !rejected;
+    });
+    if (!accepted) continue;
+    attempt.proof = std::move(proof);
+    return attempt;
   }
-  return undecided(reason.empty() ? prover.failure().value_or("") : reason);
+  return undecided(reason.empty() ? prover.failure().value_or("") : fmt::format("no proof for all valences at once was accepted: {}", reason));
 }
 
 }  // namespace limes

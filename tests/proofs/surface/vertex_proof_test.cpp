@@ -82,6 +82,8 @@ TEST(VertexProof, FailuresAreUndecidedWithAReason) {
   EXPECT_NE(reason(wrong_block, "5").find("block 2"), std::string::npos);
   const Scheme lopsided = with_rules("b-spline-2", "\"0,0\" = \"1/4*at(0,0) + 1/4*at(0,0,1) + 1/2*mean(0,0)\"");
   EXPECT_NE(reason(lopsided, "5").find("symmetric"), std::string::npos);
+  const Scheme pole = with_rules("b-spline-2", "\"0,0\" = \"1/(n-4)*at(0,0) + (1-1/(n-4))*mean(0,0) + 1/2*harmonic(1,0,0)\"");
+  EXPECT_FALSE(reason(pole, "4").empty());
   const Scheme leaking = with_rules("b-spline-2", "\"0,0\" = \"1/4*at(0,0) + 1/2*mean(0,0)\"");
   EXPECT_NE(reason(leaking, "5").find("sum to 1"), std::string::npos);
 }

@@ -25,6 +25,7 @@ RichText source_text(const Claim& claim) {
 
 /// "For every w in [..] the scheme is C^2."
 RichText assertion(const Scheme& scheme, const Claim& claim) {
+  if (claim.valences) return vertex_assertion(scheme, claim);
   const std::string type = scheme.sequence && scheme.sequence->types.size() > 1 ? fmt::format(" ({})", to_string(claim.type)) : "";
   if (claim.space) {
     const std::string functions = functions_latex(claim.space->functions);
@@ -76,6 +77,9 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
       return asymptotic_proof(scheme, certificate);
     case Theorem::s2:
       return space_proof(scheme, certificate);
+    case Theorem::e1:
+    case Theorem::e2:
+      return vertex_proof(scheme, certificate);
     default:
       return {paragraph(fmt::format("By [Theorem {0}](#theorem-{0}); the cone, words and vectors that it needs are in the certificate.", to_string(certificate.theorem)))};
   }

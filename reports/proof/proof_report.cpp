@@ -19,6 +19,14 @@ RichText short_statement(const Claim& claim) {
   return rich(fmt::format("{}{} a space", claim.negated ? "not " : "", claim.space->generates ? "generates" : "reproduces"));
 }
 
+/// Valences and parameters.
+RichText where(const Scheme& scheme, const Claim& claim) {
+  const RichText region = region_rich(scheme, claim.region);
+  if (!claim.valences) return region;
+  const RichText valences = mathematics(valences_latex(*claim.valences));
+  return region.empty() ? valences : valences + rich(", ") + region;
+}
+
 DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
   DataTable table{.caption = {},
                   .columns = "llllll",
@@ -32,7 +40,7 @@ DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
       RichText outcome = rich(verdict.outcome == Outcome::certified ? "certified" : fmt::format("*{}*", to_string(verdict.outcome)));
       if (!expected) outcome = outcome + rich(" (unexpected)");
       table.rows.push_back({first ? RichText{{Span::Kind::reference, reported.scheme.name, section_label(reported.scheme)}} : RichText{},
-                            short_statement(decided.claim), region_rich(reported.scheme, decided.claim.region), outcome,
+                            short_statement(decided.claim), where(reported.scheme, decided.claim), outcome,
                             verdict.certificate ? rich(fmt::format("[{0}](#theorem-{0})", to_string(verdict.certificate->theorem))) : RichText{},
                             verdict.certificate_json.empty() ? RichText{} : code(sha256(verdict.certificate_json).substr(0, 12))});
       first = false;

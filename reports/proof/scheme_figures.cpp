@@ -321,6 +321,7 @@ int certified_smoothness(const ReportedScheme& reported, std::span<const Rationa
 }
 
 Blocks scheme_figures(const ReportedScheme& reported, const std::filesystem::path& polygons, const Stop& stop) {
+  if (reported.scheme.surface) return surface_figures(reported);
   if (reported.scheme.kind != SchemeKind::uniform && !reported.scheme.insertion_rule) return {};
   const std::vector<Rational> point = shown_point(reported);
   const int smoothness = certified_smoothness(reported, point);

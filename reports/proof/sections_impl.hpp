@@ -45,6 +45,12 @@ Blocks ratio_proof(const Scheme& scheme, const Certificate& certificate, const S
 /// By S1 and S2.
 Blocks asymptotic_proof(const Scheme& scheme, const Certificate& certificate);
 Blocks space_proof(const Scheme& scheme, const Certificate& certificate);
+/// Claims about extraordinary vertices (faces) of surfaces, by E1 and E2, and pictures of characteristic maps.
+RichText vertex_assertion(const Scheme& scheme, const Claim& claim);
+Blocks vertex_proof(const Scheme& scheme, const Certificate& certificate);
+Blocks surface_figures(const ReportedScheme& reported);
+/// "n >= 3"
+std::string valences_latex(const ValenceRange& valences);
 /// Table of regions and levels; the mask is the scheme's one for equal intervals.
 Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, ReportState& state, const Stop& stop);
 

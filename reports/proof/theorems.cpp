@@ -32,7 +32,8 @@ Blocks conventions(bool knots) {
 
 Blocks theorem_statements(const std::set<Theorem>& theorems) {
   Blocks blocks = conventions(theorems.contains(Theorem::n1) || theorems.contains(Theorem::n3));
-  if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1)) {
+  const bool vertices = theorems.contains(Theorem::e1) || theorems.contains(Theorem::e2);
+  if (vertices || theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1)) {
     blocks.push_back(theorem("U1", " [@Dyn1992], [@DynLevin2002]",
                              {paragraph("If $a(1)=p$, $a(z)=\\sigma(z)^{m+1}p^{-m}\\,b(z)$ with a Laurent polynomial $b$, and $\\lVert S_b^l\\rVert_\\infty<1$ for some $l\\ge1$, then the "
                                         "scheme is $C^m$. Instead of a small $\\lVert S_b^l\\rVert_\\infty$ any norm will do in which all finite sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, "
@@ -82,6 +83,22 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
   if (theorems.contains(Theorem::p2)) {
     blocks.push_back(theorem("P2", "", {paragraph("Let in addition $A_Wv_1=\\lambda_1v_1$ and $A_Wv_2=\\lambda_2v_2$ for a word $W$ of $k$ letters, with $v_1$ in the interior of $K$ and real $\\lambda_2$, $2^{-k}\\lambda_1<|\\lambda_2|<\\lambda_1$, and let the "
                                                   "limit of the points $A_Uv_2/A_Uv_1$ with weights $A_Uv_1$ not vanish for a word $U$ whose length is a multiple of $L$. Then the projective scheme is not $C^1$.")}));
+  }
+  if (vertices) {
+    blocks.push_back(paragraph(
+        "A surface scheme is the tensor product of a curve scheme where the mesh is regular. Around an isolated extraordinary vertex (face) of valence $n$ one step multiplies the control points of some rings by a "
+        "block-circulant matrix $M$. Its *spectral condition* is: rows sum to $1$; the eigenvalue $1$ is simple and belongs to Fourier block $0$; there is $\\lambda\\in(0,1)$ that is a simple eigenvalue of the "
+        "Fourier blocks $1$ and $n-1$; all other eigenvalues are less than $\\lambda$ in modulus; the rings determine a full ring of limit patches, none of them but the vertex being without influence; and "
+        "the curve scheme is $C^1$. The *characteristic map* is the limit of the planar net that the eigenvectors to $\\lambda$ form."));
+    blocks.push_back(theorem("E1", " [@Reif1995], [@PetersReif2008]",
+                             {paragraph("Let numbers separate $\\lambda$ from all other eigenvalues of the blocks, besides $1$, by the number of roots of their characteristic polynomials in discs. Then the "
+                                        "spectral condition holds. (It alone does not prove $C^1$.)")}));
+  }
+  if (theorems.contains(Theorem::e2)) {
+    blocks.push_back(theorem("E2", " [@Reif1995], [@Zorin2000], [@PetersReif2008]",
+                             {paragraph("Let the spectral condition hold, and let on an annulus of regular patches, which with its images under $t\\mapsto t/2$ surrounds the extraordinary point, the Jacobian of the characteristic map be positive and the map keep every "
+                                        "sector within the open half-plane around the sector's middle direction. Then the map is regular and injective, and for every control net outside of a proper algebraic subset the limit surface is $C^1$ near the extraordinary "
+                                        "point.")}));
   }
   return blocks;
 }

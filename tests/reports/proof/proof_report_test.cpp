@@ -54,8 +54,35 @@ TEST(ProofReport, DefinitionVerdictsAndProofs) {
   EXPECT_THAT(text, HasSubstr("Of $3$ claims about $1$ scheme, $2$ are certified, $1$ refuted, and $0$ undecided."));
 }
 
+constexpr const char* surface = R"(name = "mine"
+title = "Mine"
+kind = "surface"
+[surface]
+curve = "b-spline-2"
+[surface.rules]
+"0,0" = "1/4*at(0,0) + 3/4*mean(0,0) + 1/2*harmonic(1,0,0)"
+[[claims]]
+claim = "spectral-condition"
+valence = "[3, 8]"
+[[claims]]
+claim = "C1"
+valence = "[3, inf)"
+)";
+
+/// A spectral condition is no smoothness, and C1 at extraordinary faces is no C1 of a curve scheme.
+TEST(ProofReport, SurfacesSayWhereAndForWhichNets) {
+  const std::string text = latex_of(surface);
+  EXPECT_THAT(text, HasSubstr("The spectral condition holds at isolated extraordinary faces of the valences $n=3,\\dots,8$."));
+  EXPECT_THAT(text, HasSubstr("Near isolated extraordinary faces of every valence $n\\ge3$ the limit surface of almost every control net is $C^{1}$."));
+  EXPECT_THAT(text, HasSubstr("$3\\le n\\le8$"));
+  EXPECT_THAT(text, HasSubstr("It alone does not prove $C^1$"));
+  EXPECT_THAT(text, HasSubstr("have it enclosed, for all their points at once"));
+  EXPECT_THAT(text, HasSubstr("Characteristic maps of the limit rules"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("The scheme is")));
+}
+
 TEST(ProofReport, EveryReferenceHasItsLabel) {
-  const std::string text = latex_of(four_point);
+  const std::string text = latex_of(four_point) + latex_of(surface);
   for (std::size_t at = 0; (at = text.find("\\hyperref[", at)) != std::string::npos; ++at) {
     const std::string label = text.substr(at + 10, text.find(']', at) - at - 10);
     EXPECT_THAT(text, HasSubstr("\\label{" + label + "}"));

@@ -54,7 +54,7 @@ TEST(ProofReport, DefinitionVerdictsAndProofs) {
   EXPECT_THAT(text, HasSubstr("Of $3$ claims about $1$ scheme, $2$ are certified, $1$ refuted, and $0$ undecided."));
 }
 
-constexpr const char* surface = R"(name = "mine"
+constexpr const char* surface = R"toml(name = "mine"
 title = "Mine"
 kind = "surface"
 [surface]
@@ -67,7 +67,7 @@ valence = "[3, 8]"
 [[claims]]
 claim = "C1"
 valence = "[3, inf)"
-)";
+)toml";
 
 /// A spectral condition is no smoothness, and C1 at extraordinary faces is no C1 of a curve scheme.
 TEST(ProofReport, SurfacesSayWhereAndForWhichNets) {

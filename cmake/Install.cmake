@@ -58,6 +58,7 @@ endforeach()
 # ---- data and documentation --------------------------------------------------------------------------------------------
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/schemes/catalogue" DESTINATION "${limes_data_dir}" FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/polygons" DESTINATION "${limes_data_dir}" FILES_MATCHING PATTERN "*.csv")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples/surfaces" DESTINATION "${limes_data_dir}" FILES_MATCHING PATTERN "*.csv" PATTERN "*.json")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/reports/published" DESTINATION "${limes_data_dir}" FILES_MATCHING PATTERN "*.toml")
 if(EXISTS "${PROJECT_SOURCE_DIR}/references.bib")
   install(FILES "${PROJECT_SOURCE_DIR}/references.bib" DESTINATION "${limes_data_dir}")

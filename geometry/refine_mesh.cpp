@@ -1,6 +1,7 @@
 #include "geometry/refine_mesh.hpp"
 
 #include "algebra/error.hpp"
+#include "geometry/four_point_impl.hpp"
 #include "geometry/refine_polygon.hpp"
 
 #include <fmt/format.h>
@@ -15,21 +16,9 @@ namespace {
 /// One more line of points: beyond p0 of p0, p1, p2, p3; the last two may be missing.
 struct Line {
   Point3 points[4];
-  int count = 0;
+  std::size_t count = 0;
+  operator std::span<const Point3>() const { return {points, count}; }
 };
-
-Point3 continued(const Line& line, const FourPointWeights& w, MeshBoundary boundary) {
-  const Point3* p = line.points;
-  if (boundary == MeshBoundary::exact && line.count == 4) {
-    const double c = w.edge_cosine;
-    return (2 + 2 * c) * p[0] - (2 + 4 * c) * p[1] + (2 + 2 * c) * p[2] - p[3];
-  }
-  return 2 * p[0] - p[1];
-}
-
-Point3 four_point(const FourPointWeights& w, const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  return w.outer * (a + d) + w.inner * (b + c);
-}
 
 /// What is special about the vertices of the control mesh; those made later are regular, or have two curve edges (edges of the
 /// boundary, or sharp) and two faces on either side.

@@ -1,6 +1,7 @@
 #include "geometry/tensor_net.hpp"
 
 #include "algebra/error.hpp"
+#include "geometry/four_point_impl.hpp"
 
 #include <fmt/format.h>
 
@@ -30,17 +31,13 @@ void check(const TensorNet& net) {
   }
 }
 
-/// A line of points with what follows beyond its ends.
+/// What lies beyond the first, or the last, of `count` points in a line.
 template <class At>
 Point3 beyond(std::size_t count, bool at_end, const At& at, const FourPointWeights& w, MeshBoundary boundary) {
-  const auto q = [&](std::size_t i) { return at(at_end ? count - 1 - i : i); };
-  if (boundary == MeshBoundary::linear || count < 4) return 2 * q(0) - q(1);
-  const double c = w.edge_cosine;
-  return (2 + 2 * c) * q(0) - (2 + 4 * c) * q(1) + (2 + 2 * c) * q(2) - q(3);
-}
-
-Point3 between(const FourPointWeights& w, const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  return w.outer * (a + d) + w.inner * (b + c);
+  std::array<Point3, 4> q;
+  const std::size_t known = std::min(count, q.size());
+  for (std::size_t i = 0; i < known; ++i) q[i] = at(at_end ? count - 1 - i : i);
+  return continued({q.data(), known}, w, boundary);
 }
 
 /// New rows between the old ones.
@@ -65,7 +62,7 @@ TensorNet with_new_rows(const TensorNet& net, const FourPointWeights& w, MeshBou
     for (std::size_t m = 0; m < old; ++m) result.points[2 * m * columns + n] = at(m);
     for (std::size_t m = 0; 2 * m + 1 < result.rows; ++m) {
       const std::size_t next = (m + 1) % old;
-      result.points[(2 * m + 1) * columns + n] = between(w, before(m), at(m), at(next), after(m + 1));
+      result.points[(2 * m + 1) * columns + n] = four_point(w, before(m), at(m), at(next), after(m + 1));
     }
   }
   return result;

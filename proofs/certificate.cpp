@@ -4,6 +4,7 @@
 #include "proofs/certificate_text_impl.hpp"
 #include "proofs/mask_json_impl.hpp"
 #include "proofs/nonstationary/sequence_proof.hpp"
+#include "proofs/number_json_impl.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
 #include "proofs/surface/vertex_proof.hpp"
 
@@ -11,12 +12,6 @@ namespace limes {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json region_to_json(const Box& region, const VariableNames& names) {
-  Json json = Json::object();
-  for (std::size_t k = 0; k < names.size(); ++k) json[names[k]] = to_string(region[k]);
-  return json;
-}
 
 Json leaf_to_json(const ProofLeaf& leaf, const VariableNames& names) {
   Json json{{"region", region_to_json(leaf.region, names)}};
@@ -108,21 +103,15 @@ Json scheme_to_json(const Certificate& certificate) {
   return json;
 }
 
-Json strings(const std::vector<Rational>& numbers) {
-  Json list = Json::array();
-  for (const Rational& x : numbers) list.push_back(to_string(x));
-  return list;
-}
-
 Json cone_to_json(const ConeProof& proof) {
   const ProjectiveContraction& contraction = proof.contraction;
-  Json json{{"cone", {{"lower", strings(contraction.cone.lower)}, {"upper", strings(contraction.cone.upper)}}},
+  Json json{{"cone", {{"lower", numbers_to_json(contraction.cone.lower)}, {"upper", numbers_to_json(contraction.cone.upper)}}},
             {"level", contraction.level}};
   if (!proof.roughness) return json;
   const ProjectiveRoughness& rough = *proof.roughness;
   json["word"] = rough.word;
-  json["dominant"] = {{"value", to_string(rough.dominant.value)}, {"vector", strings(rough.dominant.vector)}};
-  json["second"] = {{"value", to_string(rough.second.value)}, {"vector", strings(rough.second.vector)}};
+  json["dominant"] = {{"value", to_string(rough.dominant.value)}, {"vector", numbers_to_json(rough.dominant.vector)}};
+  json["second"] = {{"value", to_string(rough.second.value)}, {"vector", numbers_to_json(rough.second.vector)}};
   json["window"] = rough.window;
   return json;
 }

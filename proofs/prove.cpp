@@ -202,42 +202,31 @@ std::optional<MultivariatePolynomial> possible_pole(const Scheme& scheme, const 
 
 /// What is found here is found in floating point: it is undecided what the checker does not accept.
 Verdict prove_for_surface(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
-  Verdict undecided;
+  VertexAttempt attempt;
   try {
-    VertexAttempt attempt = prove_vertex_claim(scheme, claim, limits, stop);
-    if (attempt.proof) {
-      const Theorem theorem = attempt.proof->map ? Theorem::e2 : Theorem::e1;
-      return conclude(scheme, claim, Outcome::certified,
-                      {.proof = std::move(*attempt.proof), .theorem = theorem, .reason = {}, .failing_point = {}, .failing_ratio = {}});
-    }
-    undecided.reason = attempt.reason;
+    attempt = prove_vertex_claim(scheme, claim, limits, stop);
   } catch (const DomainError& error) {  // a pole of a weight at some valence
-    undecided.reason = error.what();
-  } catch (const LimitError& error) {
-    undecided.reason = error.reason();
-  } catch (const Interrupted& interrupted) {
-    undecided.reason = interrupted.what();
-    undecided.interrupted = true;
+    attempt.reason = error.what();
   }
+  if (attempt.proof) {
+    const Theorem theorem = attempt.proof->map ? Theorem::e2 : Theorem::e1;
+    return conclude(scheme, claim, Outcome::certified,
+                    {.proof = std::move(*attempt.proof), .theorem = theorem, .reason = {}, .failing_point = {}, .failing_ratio = {}});
+  }
+  Verdict undecided;
+  undecided.reason = attempt.reason;
   return undecided;
 }
 
 Verdict prove_for_sequence(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
-  Verdict undecided;
-  try {
-    SequenceAttempt attempt = prove_sequence_claim(*scheme.sequence, claim, limits, stop);
-    if (attempt.outcome != Outcome::undecided) {
-      return conclude(scheme, claim, attempt.outcome,
-                      {.proof = std::move(attempt.proof), .theorem = claim.space ? Theorem::s2 : Theorem::s1, .reason = {},
-                       .failing_point = {}, .failing_ratio = {}});
-    }
-    undecided.reason = attempt.reason;
-  } catch (const LimitError& error) {
-    undecided.reason = error.reason();
-  } catch (const Interrupted& interrupted) {
-    undecided.reason = interrupted.what();
-    undecided.interrupted = true;
+  SequenceAttempt attempt = prove_sequence_claim(*scheme.sequence, claim, limits, stop);
+  if (attempt.outcome != Outcome::undecided) {
+    return conclude(scheme, claim, attempt.outcome,
+                    {.proof = std::move(attempt.proof), .theorem = claim.space ? Theorem::s2 : Theorem::s1, .reason = {},
+                     .failing_point = {}, .failing_ratio = {}});
   }
+  Verdict undecided;
+  undecided.reason = attempt.reason;
   return undecided;
 }
 
@@ -260,25 +249,25 @@ std::optional<std::string> beyond_checker(const Scheme& scheme) {
 
 Verdict prove(const Scheme& scheme, const Claim& claim, bool try_opposite, const ProofLimits& limits, const Stop& stop) {
   if (claim.region.size() != scheme.parameters.size()) throw DomainError("prove: the region has the wrong number of parameters");
-  if (scheme.surface) return prove_for_surface(scheme, claim, limits, stop);
-  if (claim.subject != ClaimSubject::limits && !is_plain_mask(scheme)) {
+  if (!scheme.surface && claim.subject != ClaimSubject::limits && !is_plain_mask(scheme)) {
     Verdict verdict;
     verdict.reason = "projective schemes and zero limits are decided for uniform schemes without parameters only";
     return verdict;
   }
-  if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
-  if (claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
+  if (!scheme.sequence && claim.space) throw DomainError("prove: reproduction and generation are claims about nonstationary schemes");
   Verdict undecided;
-  if (auto reason = beyond_checker(scheme)) {
-    undecided.reason = std::move(*reason);
-    return undecided;
-  }
-  if (const auto pole = possible_pole(scheme, claim.region)) {
-    undecided.reason = fmt::format("the definition may have a pole in the region: a zero of {}",
-                                   to_string(*pole, scheme.parameter_names()));
-    return undecided;
-  }
   try {
+    if (scheme.surface) return prove_for_surface(scheme, claim, limits, stop);
+    if (scheme.sequence) return prove_for_sequence(scheme, claim, limits, stop);
+    if (auto reason = beyond_checker(scheme)) {
+      undecided.reason = std::move(*reason);
+      return undecided;
+    }
+    if (const auto pole = possible_pole(scheme, claim.region)) {
+      undecided.reason = fmt::format("the definition may have a pole in the region: a zero of {}",
+                                     to_string(*pole, scheme.parameter_names()));
+      return undecided;
+    }
     if (claim.subject == ClaimSubject::zero_limits) {
       Attempt zero = from_mask(prove_zero_limits(scheme.mask, false, stop));
       if (zero.proof) return conclude(scheme, claim, Outcome::certified, std::move(zero));

@@ -46,6 +46,9 @@ struct Claim {
   int line = 0;
 };
 
+/// "C^m" or "not C^m" of the scheme itself.
+inline bool is_about_smoothness(const Claim& claim) { return !claim.space && claim.subject == ClaimSubject::limits; }
+
 /// "C2" or "not C2"; "reproduces {1, y, cos, sin}", "does not generate {y^2}"; "projective C0", "not projective C1"; "only zero limits";
 /// "spectral-condition".
 std::string statement(const Claim& claim);

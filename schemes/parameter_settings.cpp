@@ -65,6 +65,18 @@ Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& s
   return region;
 }
 
+std::vector<Rational> point_from_settings(const Scheme& scheme, const std::vector<std::string>& settings, const std::string& what) {
+  const Box region = region_from_settings(scheme, settings);
+  std::vector<Rational> point;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const std::optional<Rational> angle = scheme.sequence ? single_angle(region[k]) : std::nullopt;
+    if (!angle && !region[k].is_point())
+      throw InputError(fmt::format("{} one value of every parameter: --param {}=VALUE", what, scheme.parameters[k].name));
+    point.push_back(angle ? *angle : region[k].lower);
+  }
+  return point;
+}
+
 std::string region_text(const Scheme& scheme, const Box& region) {
   constexpr std::size_t most_digits = 24;
   std::string text;

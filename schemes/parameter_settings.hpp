@@ -21,6 +21,11 @@ void require_one_mask(const Scheme& scheme, const std::string& verb);
 /// (read_angles).
 Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& settings);
 
+/// One point of it: the settings, or the definition, give every parameter one value; an angle with pi (read_angles) stands for the middle
+/// of its enclosure, which is exact enough for work in floating point. \param what needs the values: "the norm needs"
+/// \throws InputError "the norm needs one value of every parameter: --param w=VALUE"
+std::vector<Rational> point_from_settings(const Scheme& scheme, const std::vector<std::string>& settings, const std::string& what);
+
 /// "w in [0, 1/4], mu = 1/9", "-" without parameters; ends of many digits as decimals.
 std::string region_text(const Scheme& scheme, const Box& region);
 

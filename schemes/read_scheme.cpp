@@ -7,6 +7,7 @@
 #include "schemes/scheme.hpp"
 #include "schemes/surface/ring_expression.hpp"
 #include "schemes/table_reader_impl.hpp"
+#include "schemes/unity/weight_table_impl.hpp"
 
 #include <fmt/format.h>
 
@@ -384,6 +385,12 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
     read_nonstationary(reader.table(reader.require("nonstationary"), "[nonstationary]"), scheme);
   } else {
     read_nonuniform(reader.table(reader.require("nonuniform"), "[nonuniform]"), scheme);
+  }
+  if (const toml::node* node = reader.find("weight")) {
+    if (scheme.kind != SchemeKind::uniform || !scheme.parameters.empty() || scheme.mask.arity != 2) {
+      reader.fail(*node, "[weight] belongs to uniform binary schemes without parameters");
+    }
+    scheme.weight = read_weight_table(reader.table(*node, "[weight]"));
   }
   if (const toml::node* node = reader.find("claims")) {
     const auto* claims = node->as_array();

@@ -5,6 +5,7 @@
 #include "schemes/nonuniform/insertion_rule.hpp"
 #include "schemes/surface/surface_rule.hpp"
 #include "schemes/uniform/mask.hpp"
+#include "schemes/unity/weight_problem.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -37,6 +38,8 @@ struct Scheme {
   Mask mask;
   /// The rule that the mask was made from; empty when the file gives the mask, or coefficients.
   std::string rule;
+  /// What the mask was derived from by least squares, if the file says so.
+  std::optional<WeightProblem> weight;
   /// Of a non-uniform scheme only.
   std::optional<InsertionRule> insertion_rule;
   /// Of a nonstationary scheme only; its angle is the only parameter, in the hull of the ranges of its types.

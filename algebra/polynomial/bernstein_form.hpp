@@ -25,8 +25,9 @@ class BernsteinForm {
   const Rational& upper() const;
   /// +1 or -1 when all coefficients are strictly of that sign, otherwise 0 (unknown).
   int strict_sign() const;
-  /// As strict_sign(), after dividing out the greatest powers of (x_i - lower_i) and (upper_i - x_i) at *open* ends of the box:
-  /// the sign of p on the box itself, where p may vanish on excluded faces. 0 when unknown or p = 0.
+  /// +1 or -1 when no coefficient has the other sign and every face of the box that is not excluded (by *open* ends) has one that is not
+  /// zero: the sign of p on the box itself, as the basis polynomials of a face's coefficients are positive inside of the face. p may
+  /// vanish on excluded faces and on parts of them. 0 when unknown or p = 0.
   int strict_sign_off_open_faces() const;
   /// The two halves along an axis by de Casteljau. \pre the axis is no point
   std::pair<BernsteinForm, BernsteinForm> bisect(int axis) const;

@@ -4,6 +4,8 @@
 #include "algebra/polynomial/multivariate_polynomial_impl.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 
 namespace limes {
 
@@ -155,48 +157,32 @@ std::pair<BernsteinTensor, BernsteinTensor> bisect(const BernsteinTensor& tensor
 
 template <class Number>
 int sign_off_open_faces(const std::vector<int>& degrees, const std::vector<Number>& values, const Box& box) {
-  const auto strides = strides_of(degrees);
-  const auto slice_is_zero = [&](std::size_t axis, std::size_t index) {
-    const std::size_t stride = strides[axis], length = static_cast<std::size_t>(degrees[axis]) + 1;
-    for (std::size_t outer = index * stride; outer < values.size(); outer += stride * length) {
-      for (std::size_t inner = 0; inner < stride; ++inner) {
-        if (values[outer + inner].sign() != 0) return false;
-      }
-    }
-    return true;
-  };
-  // The greatest powers to divide out are the numbers of zero slices at open ends; what remains is a block of indices.
-  std::vector<std::size_t> first(degrees.size()), last(degrees.size());
-  for (std::size_t axis = 0; axis < degrees.size(); ++axis) {
-    last[axis] = static_cast<std::size_t>(degrees[axis]);
-    if (box[axis].lower_open) {
-      while (slice_is_zero(axis, first[axis])) {
-        if (first[axis]++ == last[axis]) return 0;  // p = 0
-      }
-    }
-    if (box[axis].upper_open) {
-      while (slice_is_zero(axis, last[axis])) {
-        if (last[axis]-- == first[axis]) return 0;
-      }
-    }
+  const std::size_t axes = degrees.size();
+  // A face that belongs to the box contains one of these: at each axis with closed ends at one of them, at others the whole interval.
+  std::size_t needed = 1;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    if (degrees[axis] > 0 && !box[axis].lower_open && !box[axis].upper_open) needed *= 2;
   }
-  std::vector<std::size_t> index = first;
-  std::size_t at = 0;
-  for (std::size_t axis = 0; axis < degrees.size(); ++axis) at += first[axis] * strides[axis];
-  const int sign = values[at].sign();
-  while (sign != 0) {
-    if (values[at].sign() != sign) return 0;
-    std::size_t axis = degrees.size();
-    while (axis > 0 && index[axis - 1] == last[axis - 1]) {
-      --axis;
-      at -= (index[axis] - first[axis]) * strides[axis];
-      index[axis] = first[axis];
+  std::set<std::uint64_t> found;  // bitwise: the lower end; a tensor has less than 64 axes of positive degree
+  std::vector<int> index(axes, 0);
+  int sign = 0;
+  for (const Number& value : values) {
+    if (const int own = value.sign(); own != 0) {
+      if (own == -sign) return 0;
+      sign = own;
+      std::uint64_t face = 0;
+      bool on_face = true;
+      for (std::size_t axis = 0; axis < axes && on_face; ++axis) {
+        if (degrees[axis] == 0 || (box[axis].lower_open && box[axis].upper_open)) continue;
+        const bool lower = !box[axis].lower_open && index[axis] == 0;
+        on_face = lower || (!box[axis].upper_open && index[axis] == degrees[axis]);
+        face = 2 * face + lower;
+      }
+      if (on_face) found.insert(face);
     }
-    if (axis == 0) return sign;
-    ++index[axis - 1];
-    at += strides[axis - 1];
+    for (std::size_t axis = axes; axis-- > 0 && ++index[axis] > degrees[axis];) index[axis] = 0;
   }
-  return 0;
+  return found.size() == needed ? sign : 0;
 }
 
 template int sign_off_open_faces(const std::vector<int>&, const std::vector<Integer>&, const Box&);

@@ -66,11 +66,14 @@ Polynomial NumberField::times_power(const Polynomial& p, int k) const {
 }
 
 NumberField::Enclosure NumberField::enclose(const Polynomial& p, int bits) const {
-  const Rational middle = (alpha_.lower + alpha_.upper) / 2, greatest = std::max(abs(alpha_.lower), abs(alpha_.upper));
+  const Rational unit = Rational(1, Integer(1) << unsigned(bits));
+  const Rational greatest = std::max(abs(alpha_.lower), abs(alpha_.upper));
   // |p(x) - p(y)| <= |x - y| sum_i i |p_i| greatest^{i-1}.
   Rational slope = 0, power = 1;
   for (int i = 1; i <= p.degree(); ++i, power *= greatest) slope += i * abs(p.coefficient(i)) * power;
-  const Rational unit = Rational(1, Integer(1) << unsigned(bits));
+  constexpr int most_bits = 1024;
+  for (int own = 2 * bits; (alpha_.upper - alpha_.lower) * slope > unit && own <= most_bits; own *= 2) alpha_ = refined(std::move(alpha_), own);
+  const Rational middle = (alpha_.lower + alpha_.upper) / 2;
   return {round_to_bits(p(middle), bits), (alpha_.upper - alpha_.lower) / 2 * slope + unit};
 }
 

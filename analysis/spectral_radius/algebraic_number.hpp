@@ -40,7 +40,7 @@ class NumberField {
   Enclosure enclose(const Polynomial& p, int bits) const;
 
  private:
-  AlgebraicNumber alpha_;
+  mutable AlgebraicNumber alpha_;  // narrowed when an enclosure needs it
   Polynomial inverse_;  // of alpha
 };
 

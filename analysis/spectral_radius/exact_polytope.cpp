@@ -4,6 +4,7 @@
 
 #include "algebra/polynomial/factorisation.hpp"
 #include "analysis/spectral_radius/exact_vectors_impl.hpp"
+#include "analysis/spectral_radius/generations_impl.hpp"
 #include "analysis/spectral_radius/hull_oracle_impl.hpp"
 #include "analysis/spectral_radius/leading_words.hpp"
 
@@ -146,7 +147,7 @@ class ExactSearch {
       if (!field_) {
         std::optional<AlgebraicNumber> alpha = algebraic_root(characteristic_polynomial(exact), *lambda, k);
         if (!alpha) return false;
-        field_.emplace(refined(std::move(*alpha), 1024));
+        field_.emplace(std::move(*alpha));
         const double radius = approx_double(field_->alpha().lower);
         for (Eigen::MatrixXd& b : approx_family_) b /= radius;
       }
@@ -242,35 +243,23 @@ class ExactSearch {
     return result;
   }
 
-  struct Candidate {
-    double norm;
-    std::size_t matrix, index;
-  };
-
   bool close() {
-    while (expanded_ < vectors_.size()) {
-      std::vector<Candidate> outside;
-      for (; expanded_ < vectors_.size(); ++expanded_) {
-        for (std::size_t e = 0; e < family_.size(); ++e) {
-          if (const double norm = try_inside(e, expanded_); norm > inside) outside.push_back({norm, e, expanded_});
-        }
-      }
-      std::stable_sort(outside.begin(), outside.end(), [](const Candidate& a, const Candidate& b) { return a.norm > b.norm; });
-      for (const auto& [norm, e, i] : outside) {
-        if (try_inside(e, i) <= inside) continue;
-        if (vectors_.size() >= limits_.max_vectors || !(oracle_.vector(i).cwiseAbs().maxCoeff() < 1e9)) return false;
-        AlgebraicVector image = exact_image(e, vectors_[i]);
-        std::size_t bits = 0;
-        for (Polynomial& entry : image) {
-          entry = field_->times_power(entry, -1);
-          for (const Rational& c : entry.coefficients()) bits = std::max(bits, c == 0 ? 0 : std::size_t(msb(denominator(c))));
-        }
-        if (bits > max_coefficient_bits) return false;
-        add_vector(std::move(image));
-        result_.tree.emplace_back(int(i), int(e));
-        images_[e][i] = ExactPolytope::SignedVector{int(vectors_.size()) - 1, 1};
-      }
+    return close_generations(family_.size(), vectors_, expanded_, inside, [&](std::size_t e, std::size_t i) { return try_inside(e, i); },
+                             [&](std::size_t e, std::size_t i) { return add_image(e, i); });
+  }
+
+  bool add_image(std::size_t e, std::size_t i) {
+    if (vectors_.size() >= limits_.max_vectors || !(oracle_.vector(i).cwiseAbs().maxCoeff() < 1e9)) return false;
+    AlgebraicVector image = exact_image(e, vectors_[i]);
+    std::size_t bits = 0;
+    for (Polynomial& entry : image) {
+      entry = field_->times_power(entry, -1);
+      for (const Rational& c : entry.coefficients()) bits = std::max(bits, c == 0 ? 0 : std::size_t(msb(denominator(c))));
     }
+    if (bits > max_coefficient_bits) return false;
+    add_vector(std::move(image));
+    result_.tree.emplace_back(int(i), int(e));
+    images_[e][i] = ExactPolytope::SignedVector{int(vectors_.size()) - 1, 1};
     return true;
   }
 
@@ -308,7 +297,8 @@ class ExactSearch {
   }
 
   bool finish(double reach) {
-    result_.radius = field_->alpha();
+    constexpr int radius_bits = 256;
+    result_.radius = refined(field_->alpha(), radius_bits);
     result_.unit = Rational(std::exp2(std::floor(std::log2(reach))));
     result_.images.resize(family_.size());
     for (std::size_t e = 0; e < family_.size(); ++e) {

@@ -5,6 +5,7 @@
 
 #include "algebra/error.hpp"
 #include "analysis/spectral_radius/exact_vectors_impl.hpp"
+#include "analysis/spectral_radius/generations_impl.hpp"
 #include "analysis/spectral_radius/hull_oracle_impl.hpp"
 #include "analysis/spectral_radius/leading_words.hpp"
 
@@ -102,32 +103,18 @@ class PolytopeSearch {
     for (auto& of_matrix : images_) of_matrix.emplace_back();
   }
 
-  struct Candidate {
-    double norm;
-    std::size_t matrix, index;
-  };
-
-  /// Adds images until all are inside: generation after generation, the farthest first.
   bool close() {
-    while (expanded_ < vectors_.size()) {
-      std::vector<Candidate> outside;
-      for (; expanded_ < vectors_.size(); ++expanded_) {
-        for (std::size_t e = 0; e < family_.size(); ++e) {
-          if (const double norm = try_inside(e, expanded_); norm > tolerated_) outside.push_back({norm, e, expanded_});
-        }
-      }
-      std::stable_sort(outside.begin(), outside.end(), [](const Candidate& a, const Candidate& b) { return a.norm > b.norm; });
-      for (const auto& [norm, e, i] : outside) {
-        if (try_inside(e, i) <= tolerated_) continue;
-        if (vectors_.size() >= limits_.max_vectors) return false;
-        RationalVector image = image_of(family_[e], vectors_[i]);
-        for (Rational& x : image) x = round_to_bits(x / generation_bound_, limits_.precision);
-        add_vector(std::move(image));
-        images_[e][i] = {1, {{int(vectors_.size()) - 1, false, 1}}};
-        if (!(oracle_->vector(vectors_.size() - 1).cwiseAbs().maxCoeff() < 1e12)) return false;
-      }
-    }
-    return true;
+    return close_generations(family_.size(), vectors_, expanded_, tolerated_, [&](std::size_t e, std::size_t i) { return try_inside(e, i); },
+                             [&](std::size_t e, std::size_t i) { return add_image(e, i); });
+  }
+
+  bool add_image(std::size_t e, std::size_t i) {
+    if (vectors_.size() >= limits_.max_vectors) return false;
+    RationalVector image = image_of(family_[e], vectors_[i]);
+    for (Rational& x : image) x = round_to_bits(x / generation_bound_, limits_.precision);
+    add_vector(std::move(image));
+    images_[e][i] = {1, {{int(vectors_.size()) - 1, false, 1}}};
+    return oracle_->vector(vectors_.size() - 1).cwiseAbs().maxCoeff() < 1e12;
   }
 
   double try_inside(std::size_t e, std::size_t i) {

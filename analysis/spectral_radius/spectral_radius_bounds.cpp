@@ -166,9 +166,10 @@ class RadiusSearch {
       }
       return;
     }
-    for (int digits = options_.digits; digits >= 0; --digits) {
-      if (improve(k, radius * (1 + tolerance(digits) * Rational(9, 10)))) return;
-    }
+    // From coarse to fine: what is known when the search is stopped, or stops at its limit of vectors, is worth something then.
+    const Rational finest = tolerance(options_.digits) * Rational(9, 10);
+    for (Rational excess = std::max(Rational(1, 4), finest); improve(k, radius * (1 + excess)) && excess > finest;)
+      excess = std::max(Rational(excess / 6), finest);
   }
 
   const SpectralRadiusOptions& options_;

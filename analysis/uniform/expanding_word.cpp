@@ -1,6 +1,7 @@
 #include "analysis/uniform/expanding_word.hpp"
 
 #include "algebra/polynomial/schur_cohn.hpp"
+#include "analysis/nonuniform/dominance_test.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,26 +99,43 @@ bool exact_expands(const FiniteSections& sections, const std::vector<int>& word,
   return !roots_inside_circle(characteristic_polynomial(sections.product(word, point)), 1);
 }
 
-ExpansionSigns expansion_signs(const FiniteSections& sections, const std::vector<int>& word) {
+namespace {
+
+/// The coefficients of chi(lambda) = det(lambda D^k I - numerators of the word's product), n + 1 of them.
+std::vector<MultivariatePolynomial> scaled_characteristic_polynomial(const FiniteSections& sections, const std::vector<int>& word) {
   const int variables = sections.denominator().variables();
   PolynomialMatrix matrix = PolynomialMatrix::identity(variables, sections.size());
   for (const int e : word) matrix = matrix * sections.numerators(e);
-  const std::vector<MultivariatePolynomial> chi = characteristic_polynomial(matrix);
+  std::vector<MultivariatePolynomial> chi = characteristic_polynomial(matrix);
   const MultivariatePolynomial d = power(sections.denominator(), static_cast<int>(word.size()));
-  ExpansionSigns signs{MultivariatePolynomial(variables), MultivariatePolynomial(variables)};
   MultivariatePolynomial d_power = MultivariatePolynomial::constant(variables, 1);
-  for (int k = 0; k <= sections.size(); ++k) {
-    const MultivariatePolynomial term = chi[k] * d_power;
-    signs.at_one += term;
-    // (-1)^n (-1)^k: the leading coefficient counts positively.
-    if ((sections.size() - k) % 2 == 0) {
-      signs.at_minus_one += term;
-    } else {
-      signs.at_minus_one -= term;
-    }
+  for (MultivariatePolynomial& c : chi) {
+    c *= d_power;
     d_power *= d;
   }
+  return chi;
+}
+
+}  // namespace
+
+ExpansionSigns expansion_signs(const FiniteSections& sections, const std::vector<int>& word) {
+  const int variables = sections.denominator().variables();
+  const std::vector<MultivariatePolynomial> chi = scaled_characteristic_polynomial(sections, word);
+  ExpansionSigns signs{MultivariatePolynomial(variables), MultivariatePolynomial(variables)};
+  for (int k = 0; k <= sections.size(); ++k) {
+    signs.at_one += chi[k];
+    // (-1)^n (-1)^k: the leading coefficient counts positively.
+    if ((sections.size() - k) % 2 == 0) {
+      signs.at_minus_one += chi[k];
+    } else {
+      signs.at_minus_one -= chi[k];
+    }
+  }
   return signs;
+}
+
+MultivariatePolynomial expansion_determinant(const FiniteSections& sections, const std::vector<int>& word) {
+  return boundary_determinant({sections.denominator().variables(), scaled_characteristic_polynomial(sections, word)}, 1);
 }
 
 }  // namespace limes

@@ -3,8 +3,11 @@
 #include "algebra/error.hpp"
 #include "algebra/number/power_comparison.hpp"
 #include "algebra/polynomial/real_roots.hpp"
+#include "analysis/uniform/contractivity_bound.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/finite_sections.hpp"
+
+#include <cmath>
 
 namespace limes {
 namespace {
@@ -35,6 +38,51 @@ ExponentBounds sobolev_exponent(const LaurentPolynomial& b, int p, int order, in
   return {start - logarithm_above(radius.upper, p, digits + 1) / 2, start - logarithm_below(radius.lower, p, digits + 1) / 2};
 }
 
+/// A short number above norm^{1/level}.
+Rational root_above(const Rational& norm, int level) {
+  constexpr int bits = 40;
+  const Rational unit = power(Rational(1, 2), bits);
+  Rational root = Rational(std::ceil(std::ldexp(std::pow(approx_double(norm), 1.0 / level), bits))) * unit;
+  while (power(root, level) <= norm) root += unit;
+  return root;
+}
+
+/// JSR <= ||S_b^l||^{1/l}: the rows of products of l sections are parts of the rows of S_b^l. Takes the place of a greater bound.
+void improve_by_norms(const LaurentPolynomial& b, int p, HoelderExponent& exponent, const Stop& stop) {
+  constexpr int max_level = 10;
+  constexpr double max_entries = 1e5;
+  for (int level = 1; level <= max_level && std::pow(p, level) <= max_entries; ++level) {
+    const Rational bound = root_above(exact_contractivity_norm(b, p, level, stop), level);
+    if (bound >= exponent.radius.upper) continue;
+    exponent.radius.upper = bound;
+    exponent.level = level;
+  }
+}
+
+/// The joint spectral radius of the sections of b. After a short search for a polytope norms are tried, which are good in particular for masks that
+/// nearly satisfy one sum rule more: then all products have nearly the same radius, which is hard for polytopes.
+void bound_radius(const MatrixFamily& sections, const LaurentPolynomial& b, int p, int digits, const PolytopeLimits& limits, HoelderExponent& exponent,
+                  const Stop& stop) {
+  constexpr std::size_t few_vectors = 60;
+  PolytopeLimits few = limits;
+  few.max_vectors = std::min(limits.max_vectors, few_vectors);
+  const auto narrow = [&] { return exponent.radius.upper <= exponent.radius.lower * (1 + power(Rational(1, 10), digits)); };
+  for (const PolytopeLimits& now : {few, limits}) {
+    exponent.radius = bound_spectral_radius(sections, {digits, now}, stop);
+    exponent.level.reset();
+    if (exponent.radius.exact) return;
+    if (exponent.radius.interrupted) return;
+    try {
+      improve_by_norms(b, p, exponent, stop);
+    } catch (const Interrupted&) {  // what is known by then holds
+      exponent.radius.interrupted = true;
+      return;
+    }
+    if (exponent.level && narrow()) return;
+    if (now.max_vectors == limits.max_vectors) return;
+  }
+}
+
 }  // namespace
 
 MatrixFamily difference_sections(const Mask& mask, int order) {
@@ -62,7 +110,7 @@ HoelderExponent bound_hoelder_exponent(const Mask& mask, int digits, const Polyt
   }
   result.stability = prove_stability(mask);
   const int p = mask.arity;
-  result.radius = bound_spectral_radius(difference_sections(mask, result.order), {digits + 1, limits}, stop);
+  bound_radius(difference_sections(mask, result.order), *difference_symbol(mask, result.order), p, digits + 1, limits, result, stop);
 
   const Rational start = result.order - 1;
   const Rational lower = start - logarithm_above(result.radius.upper, p, digits + 1);

@@ -21,6 +21,8 @@ struct HoelderExponent {
   std::optional<Stability> stability;
   /// Of the difference sections B_0 .. B_{p-1} of a = sigma^k p^{-(k-1)} b: the exponent is (k-1) - log_p of it, if the shifts are stable.
   SpectralRadiusBounds radius;
+  /// radius.upper is a bound of ||S_b^l||^{1/l} for this l, not of radius.blocks.
+  std::optional<int> level;
   ExponentBounds bounds;
   /// The exact exponent when it is rational.
   std::optional<Rational> exact;

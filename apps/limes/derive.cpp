@@ -18,34 +18,30 @@ namespace {
 constexpr int optimiser_grid = 64;
 constexpr int optimiser_samples = 4001;
 
+/// What the weight file says, but for what the command line says.
 WeightProblem problem_of(const DeriveOptions& options) {
-  WeightProblem problem;
-  problem.weight = options.weight;
-  problem.domain = options.domain;
-  problem.shifts = options.shifts;
-  problem.constraints = options.constraints;
-  problem.samples = options.samples;
-  problem.precision = options.precision;
-  problem.integrals = options.method == "integrals";
+  WeightProblem problem = read_weight_problem(options.weight);
+  if (problem.function.find('"') != std::string::npos) throw InputError("a weight function is written without quotes inside");
+  if (!options.domain.empty()) problem.domain = options.domain;
+  if (!options.shifts.empty()) problem.shifts = options.shifts;
+  problem.constraints.insert(problem.constraints.end(), options.constraints.begin(), options.constraints.end());
+  if (options.samples) problem.samples = *options.samples;
+  if (options.precision) problem.precision = *options.precision;
+  if (options.method) problem.integrals = *options.method == "integrals";
   problem.decimals = options.decimals;
   return problem;
 }
 
-/// "sigma=[1,40]": the best value is put into the problem's settings.
-OptimalParameter optimise(WeightProblem& problem, const DeriveOptions& options, const Stop& stop) {
-  const std::size_t equals = options.optimise.find('=');
-  if (equals == std::string::npos) throw InputError(fmt::format("--optimise {}: expected NAME=[LOWER,UPPER]", options.optimise));
-  const std::string name = options.optimise.substr(0, equals);
-  const Interval interval = read_interval(std::string_view(options.optimise).substr(equals + 1));
-  if (interval.is_point()) throw InputError("--optimise needs an interval");
+/// "sigma=[1,40]": the best value is put into the problem's weight function.
+OptimalParameter optimise(WeightProblem& problem, const std::string& name, const Interval& interval, const DeriveOptions& options, const Stop& stop) {
   WeightProblem coarse = problem;
   coarse.samples = std::min(problem.samples, optimiser_samples);
   const auto error = [&](const Rational& value) {
-    coarse.settings = {{name, value}};
+    set_argument(coarse, name, value);
     return derive_mask(coarse, stop).least_error;
   };
   const OptimalParameter best = optimise_parameter(error, interval, read_rational(options.accuracy), optimiser_grid, stop);
-  problem.settings = {{name, best.parameter}};
+  set_argument(problem, name, best.parameter);
   return best;
 }
 
@@ -93,20 +89,26 @@ std::string claims_text(const std::vector<Claim>& claims) {
   return text.empty() ? "-" : text;
 }
 
+std::string exponent_text(const ExponentBounds& bounds) {
+  if (!bounds.lower) return "-";
+  const std::string lower = to_decimal(*bounds.lower, 4, Rounding::down);
+  if (!bounds.upper) return ">= " + lower;
+  return *bounds.lower == *bounds.upper ? lower : fmt::format("[{}, {}]", lower, to_decimal(*bounds.upper, 4, Rounding::up));
+}
+
 void print_costs(const std::vector<SmoothnessCost>& costs) {
-  TextTable table({{"sum rules", 0, TextTable::Align::right}, {"E", 14, TextTable::Align::right}, {"exponent", 0, TextTable::Align::right}, {"certified"}});
+  TextTable table({{"sum rules", 0, TextTable::Align::right}, {"E", 14, TextTable::Align::right}, {"Hoelder exponent", 16, TextTable::Align::right}, {"certified"}});
   std::cout << "\n" << table.header();
   for (const SmoothnessCost& cost : costs) {
-    std::cout << table.row({fmt::format("{}", cost.sum_rules), fmt::format("{:.6g}", cost.error),
-                            cost.exponent ? ">= " + to_decimal(*cost.exponent, 4, Rounding::down) : "-", claims_text(cost.claims)});
+    std::cout << table.row({fmt::format("{}", cost.sum_rules), fmt::format("{:.6g}", cost.error), exponent_text(cost.exponent), claims_text(cost.claims)});
   }
 }
 
 /// A scheme file with what is proved as its claims.
-std::string scheme_file(const Scheme& scheme, const DeriveReport& report, const std::vector<Claim>& claims) {
+std::string scheme_file(const Scheme& scheme, const DeriveReport& report, const WeightProblem& problem, const std::vector<Claim>& claims) {
   std::string mask, file = fmt::format("name = \"{}\"\ntitle = \"least squares mask of {}\"\nkind = \"uniform\"\n\n", scheme.name, report.weight);
   for (const Rational& a : report.derived.mask) mask += fmt::format("{}\"{}\"", mask.empty() ? "" : ", ", to_string(a));
-  file += fmt::format("[uniform]\nfirst_index = {}\nmask = [{}]\n", report.derived.equation.first_index(), mask);
+  file += fmt::format("[uniform]\nfirst_index = {}\nmask = [{}]\n", report.derived.equation.first_index(), mask) + "\n" + weight_table(problem);
   for (const Claim& claim : claims) file += fmt::format("\n[[claims]]\nclaim = \"{}\"\n", statement(claim));
   return file;
 }
@@ -116,12 +118,16 @@ std::string scheme_file(const Scheme& scheme, const DeriveReport& report, const 
 int run_derive(const DeriveOptions& options) {
   const Session session(options);
   WeightProblem problem = problem_of(options);
-  if (problem.weight.find('"') != std::string::npos) throw InputError("a weight function is written without quotes inside");
-  DeriveReport report{.weight = options.weight};
+  DeriveReport report;
   if (!options.optimise.empty()) {
-    report.optimum = optimise(problem, options, session.stop());
-    report.parameter = problem.settings.front().first;
+    const std::size_t equals = options.optimise.find('=');
+    if (equals == std::string::npos) throw InputError(fmt::format("--optimise {}: expected NAME=[LOWER,UPPER]", options.optimise));
+    report.parameter = options.optimise.substr(0, equals);
+    const Interval interval = read_interval(std::string_view(options.optimise).substr(equals + 1));
+    if (interval.is_point()) throw InputError("--optimise needs an interval");
+    report.optimum = optimise(problem, report.parameter, interval, options, session.stop());
   }
+  report.weight = describe(problem);
   report.derived = derive_mask(problem, session.stop());
   const int first = report.derived.equation.first_index();
   for (std::size_t k = 0; k < report.derived.mask.size(); ++k) {
@@ -136,7 +142,7 @@ int run_derive(const DeriveOptions& options) {
   }
   if (options.cost) report.costs = smoothness_costs(problem, *options.cost, session.stop());
   if (!options.output.empty()) {
-    const std::string text = scheme_file(scheme, report, provable_claims(scheme, session.stop()));
+    const std::string text = scheme_file(scheme, report, problem, provable_claims(scheme, session.stop()));
     read_scheme(text, options.output);  // a name that no scheme file may have is an error before the file is there
     write_file(options.output, text);
   }

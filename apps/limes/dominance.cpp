@@ -32,12 +32,12 @@ std::vector<Claim> claims_of(const Scheme& scheme, const DominanceOptions& optio
   std::vector<Claim> claims;
   if (options.claim) {
     claims.push_back(read_statement(*options.claim));
-    if (claims.back().negated) throw InputError("--claim: root dominance belongs to C<m>, not to its opposite");
+    if (claims.back().negated || !is_about_smoothness(claims.back())) throw InputError("--claim: root dominance belongs to C<m> alone");
     claims.back().region = region_from_settings(scheme, options.parameters);
     return claims;
   }
   for (const Claim& claim : scheme.claims) {
-    if (!claim.negated && claim.expected == Outcome::certified) claims.push_back(claim);
+    if (!claim.negated && is_about_smoothness(claim) && claim.expected == Outcome::certified) claims.push_back(claim);
   }
   return claims;
 }

@@ -62,12 +62,7 @@ int run_holder(const HolderOptions& options) {
   const Session session(options);
   const Scheme scheme = load_scheme(options.scheme);
   require_one_mask(scheme, "holder");
-  const Box region = region_from_settings(scheme, options.parameters);
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    if (region[k].is_point()) continue;
-    throw InputError(fmt::format("the exponent needs one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
-  }
-  const std::vector<Rational> point = midpoint(region);
+  const std::vector<Rational> point = point_from_settings(scheme, options.parameters, "the exponent needs");
   HolderReport report{bound_hoelder_exponent(at(scheme.mask, point), options.digits, {}, session.stop()), scheme.mask.arity, ""};
   const HoelderExponent& exponent = report.exponent;
   if (exponent.bounds.lower) {

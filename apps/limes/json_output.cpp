@@ -3,9 +3,8 @@
 #include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
+#include "proofs/number_json_impl.hpp"
 #include "schemes/surface/ring_expression.hpp"
-
-#include <nlohmann/json.hpp>
 
 namespace limes::app {
 namespace {
@@ -23,11 +22,7 @@ Json region_json(const Scheme& scheme, const Box& region) {
 }
 
 /// The same with open ends told: "(0, 1/8]".
-Json intervals_json(const Scheme& scheme, const Box& region) {
-  Json json = Json::object();
-  for (std::size_t k = 0; k < region.size(); ++k) json[scheme.parameters[k].name] = to_string(region[k]);
-  return json;
-}
+Json intervals_json(const Scheme& scheme, const Box& region) { return region_to_json(region, scheme.parameter_names()); }
 
 Json claim_json(const Scheme& scheme, const Claim& claim) {
   Json json{{"claim", statement(claim)},
@@ -322,13 +317,8 @@ std::string dominance_json(const std::vector<DominanceReport>& reports) {
 std::string derive_json(const DeriveReport& report) {
   const DerivedMask& derived = report.derived;
   const RefinementEquation& equation = derived.equation;
-  const auto strings = [](const std::vector<Rational>& numbers) {
-    Json list = Json::array();
-    for (const Rational& x : numbers) list.push_back(to_string(x));
-    return list;
-  };
   Json json{{"weight", report.weight},
-            {"mask", strings(derived.mask)},
+            {"mask", numbers_to_json(derived.mask)},
             {"first_index", equation.first_index()},
             {"first_shift", to_string(equation.first_shift)},
             {"domain", {to_string(equation.domain.lower), to_string(equation.domain.upper)}},
@@ -347,14 +337,15 @@ std::string derive_json(const DeriveReport& report) {
                        {"value", to_string(report.optimum->parameter)},
                        {"local_minima", report.optimum->local_minima}};
   }
-  if (report.rounded) json["rounded"] = {{"to", report.rounding}, {"mask", strings(*report.rounded)}, {"error", report.rounded_error}};
+  if (report.rounded) json["rounded"] = {{"to", report.rounding}, {"mask", numbers_to_json(*report.rounded)}, {"error", report.rounded_error}};
   if (!report.costs.empty()) {
     json["costs"] = Json::array();
     for (const SmoothnessCost& cost : report.costs) {
       Json claims = Json::array();
       for (const Claim& claim : cost.claims) claims.push_back(statement(claim));
       Json row{{"sum_rules", cost.sum_rules}, {"error", cost.error}, {"claims", claims}};
-      if (cost.exponent) row["exponent"] = to_string(*cost.exponent);
+      if (cost.exponent.lower) row["exponent"] = to_string(*cost.exponent.lower);
+      if (cost.exponent.upper) row["exponent_upper"] = to_string(*cost.exponent.upper);
       json["costs"].push_back(row);
     }
   }

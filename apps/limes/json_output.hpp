@@ -78,7 +78,8 @@ struct MapReport {
 };
 
 struct DeriveReport {
-  std::string weight;
+  /// The weight function, with the optimal argument.
+  std::string weight = {};
   DerivedMask derived = {};
   Rational even_sum = {}, odd_sum = {};
   int sum_rule_order = 0;

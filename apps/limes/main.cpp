@@ -3,6 +3,7 @@
 #include "apps/limes/options.hpp"
 
 #include "algebra/error.hpp"
+#include "schemes/unity/weight_problem.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -20,6 +21,15 @@ void add_common(CLI::App& verb, CommonOptions& options) {
   verb.add_option("--budget", options.budget, "Stop after so many seconds, keeping what is finished (exit status 3)")
       ->type_name("SECONDS")
       ->check(CLI::Range(1e-3, 1e8));
+}
+
+/// --param, which may be repeated.
+CLI::Option* add_settings(CLI::App& verb, std::vector<std::string>& settings, const std::string& help, const char* type = "NAME=VALUE") {
+  return verb.add_option("--param", settings, help)->type_name(type)->expected(1, 64)->allow_extra_args(false);
+}
+
+void add_certificates(CLI::App& verb, std::filesystem::path& directory, const std::string& help) {
+  verb.add_option("--certificates", directory, help)->type_name("DIR")->capture_default_str();
 }
 
 void add_grid_options(CLI::App& verb, GridOptions& options) {
@@ -56,11 +66,9 @@ int run(int argc, char** argv) {
   CLI::App* verify_verb = app.add_subcommand("verify", "Prove or refute the claims of schemes (default: of the whole catalogue)");
   verify_verb->add_option("scheme", verify.schemes, "Catalogue names or scheme files")->type_name("SCHEME");
   verify_verb->add_option("--claim", verify.claim, "Decide this claim, e.g. C2 or \"not C3\", instead of the file's own");
-  verify_verb->add_option("--param", verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]")
-      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*verify_verb, verify.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]");
   verify_verb->add_option("--valence", verify.valence, "Valences of a --claim about a surface scheme: N, N..M, \"[N, inf)\"; default: all")->type_name("RANGE");
-  verify_verb->add_option("--certificates", verify.certificates, "Directory for the certificates")
-      ->type_name("DIR")->capture_default_str();
+  add_certificates(*verify_verb, verify.certificates, "Directory for the certificates");
   add_common(*verify_verb, verify);
 
   CheckOptions check;
@@ -73,19 +81,18 @@ int run(int argc, char** argv) {
   norm_verb->add_option("scheme", norm.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   norm_verb->add_option("--order", norm.order, "M: b = p^M a / sigma^{M+1}")->required()->check(CLI::Range(-1, 64))->type_name("M");
   norm_verb->add_option("--level", norm.level, "L >= 1")->required()->check(CLI::Range(1, 40))->type_name("L");
-  norm_verb->add_option("--param", norm.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*norm_verb, norm.parameters, "Parameter value: w=1/96");
   add_common(*norm_verb, norm);
 
   MapVerbOptions map;
   CLI::App* map_verb = app.add_subcommand("map", "Map a parameter region: where a scheme is C^m, where not, proved cell by cell");
   map_verb->add_option("scheme", map.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   map_verb->add_option("--claim", map.claim, "C<m>, e.g. C2")->required();
-  map_verb->add_option("--param", map.parameters, "Interval or value: w=[0,1/10]; one or two parameters vary")
-      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*map_verb, map.parameters, "Interval or value: w=[0,1/10]; one or two parameters vary");
   map_verb->add_option("--tolerance", map.tolerance, "Measure that may stay unknown (default: a thousandth of the region)")->type_name("T");
   map_verb->add_option("--journal", map.journal, "File that keeps what is found: run again to continue after an interruption")
       ->type_name("FILE");
-  map_verb->add_option("--certificates", map.certificates, "Directory for the certificates")->type_name("DIR")->capture_default_str();
+  add_certificates(*map_verb, map.certificates, "Directory for the certificates");
   map_verb->add_option("-o,--output", map.outputs, "Picture to write, by its ending: .svg, .pgf or .png; may be repeated")
       ->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
   add_common(*map_verb, map);
@@ -93,7 +100,7 @@ int run(int argc, char** argv) {
   MatrixOptions matrix;
   CLI::App* matrix_verb = app.add_subcommand("matrix", "Subdivision matrix at an isolated knot ratio and its characteristic polynomial");
   matrix_verb->add_option("scheme", matrix.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
-  matrix_verb->add_option("--param", matrix.parameters, "Parameter value: w=1/96")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*matrix_verb, matrix.parameters, "Parameter value: w=1/96");
   matrix_verb->add_flag("--latex", matrix.latex, "Print matrix and factors in LaTeX");
   add_common(*matrix_verb, matrix);
 
@@ -113,8 +120,7 @@ int run(int argc, char** argv) {
   dominance_verb->add_option("scheme", dominance.schemes, "Catalogue names or scheme files (default: the non-uniform ones of the catalogue)")
       ->type_name("SCHEME");
   CLI::Option* dominance_claim = dominance_verb->add_option("--claim", dominance.claim, "C<m>, instead of the file's own claims");
-  dominance_verb->add_option("--param", dominance.parameters, "With --claim: parameter value or interval, w=[1/1000,1/50]")
-      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false)->needs(dominance_claim);
+  add_settings(*dominance_verb, dominance.parameters, "With --claim: parameter value or interval, w=[1/1000,1/50]")->needs(dominance_claim);
   dominance_verb->add_option("--boxes", dominance.boxes, "How many boxes one test may look at for one factor")
       ->check(CLI::Range(1, 1000000))->type_name("N")->capture_default_str();
   add_common(*dominance_verb, dominance);
@@ -124,8 +130,7 @@ int run(int argc, char** argv) {
   search_verb->add_option("scheme", search.scheme, "Catalogue name or scheme file; its parameters are the unknowns")
       ->required()->type_name("SCHEME");
   search_verb->add_option("--claim", search.claim, "The smoothness wanted, e.g. C4")->required();
-  search_verb->add_option("--param", search.parameters, "Narrower interval of a parameter: w=[0,1/10]")
-      ->type_name("NAME=INTERVAL")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*search_verb, search.parameters, "Narrower interval of a parameter: w=[0,1/10]", "NAME=INTERVAL");
   search_verb->add_option("--starts", search.starts, "How many random starts")->check(CLI::Range(1, 1000000))->type_name("N")->capture_default_str();
   search_verb->add_option("--journal", search.journal, "File that keeps every finished start; the same search goes on from it")->type_name("FILE");
   search_verb->add_option("--certificates", search.certificates, "Directory for the certificates of what is found")->type_name("DIR");
@@ -138,11 +143,11 @@ int run(int argc, char** argv) {
   derive_verb->add_option("--shifts", derive.shifts, "Shifts s of the dilates w(2u - s) that take part")->type_name("FIRST..LAST");
   derive_verb->add_option("--constraint", derive.constraints, "sum-rules=K, interpolation or symmetry; may be repeated")
       ->type_name("CONSTRAINT")->expected(1, 64)->allow_extra_args(false);
-  derive_verb->add_option("--method", derive.method, "samples, or integrals (exact for piecewise polynomials)")
-      ->check(CLI::IsMember({"samples", "integrals"}))->type_name("METHOD")->capture_default_str();
-  derive_verb->add_option("--samples", derive.samples, "Number of samples")->check(CLI::Range(2, 10000000))->type_name("N")->capture_default_str();
-  derive_verb->add_option("--precision", derive.precision, "Bits of the arithmetic: 53 (double), more: MPFR")
-      ->check(CLI::Range(53, 4096))->type_name("BITS")->capture_default_str();
+  derive_verb->add_option("--method", derive.method, "samples (default), or integrals (exact for piecewise polynomials)")
+      ->check(CLI::IsMember({"samples", "integrals"}))->type_name("METHOD");
+  derive_verb->add_option("--samples", derive.samples, "Number of samples (default: 100000)")->check(CLI::Range(2, limes::max_samples))->type_name("N");
+  derive_verb->add_option("--precision", derive.precision, "Bits of the arithmetic: 53 (double, the default), more: MPFR")
+      ->check(CLI::Range(53, limes::max_precision))->type_name("BITS");
   derive_verb->add_option("--decimals", derive.decimals, "Decimals of the mask's free coefficients")->check(CLI::Range(1, 1000))->type_name("D");
   derive_verb->add_option("--round", derive.rounding, "Show the mask and E after rounding to float32 or to D significant digits")->type_name("float32|D");
   derive_verb->add_option("--optimise", derive.optimise, "Take the value of an argument that makes E least")->type_name("NAME=[A,B]");
@@ -154,16 +159,16 @@ int run(int argc, char** argv) {
   HolderOptions holder;
   CLI::App* holder_verb = app.add_subcommand("holder", "Certified enclosure of the Hoelder exponent");
   holder_verb->add_option("scheme", holder.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
-  holder_verb->add_option("--param", holder.parameters, "Parameter value: w=1/16")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*holder_verb, holder.parameters, "Parameter value: w=1/16");
   holder_verb->add_option("--digits", holder.digits, "Width of the enclosure: 10^-D")->check(CLI::Range(1, 30))->type_name("D")->capture_default_str();
-  holder_verb->add_option("--certificates", holder.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
+  add_certificates(*holder_verb, holder.certificates, "Directory for the certificate");
   add_common(*holder_verb, holder);
 
   JsrOptions jsr;
   CLI::App* jsr_verb = app.add_subcommand("jsr", "Joint spectral radius of rational matrices: bounds with a certificate");
   jsr_verb->add_option("file", jsr.file, "Matrices: JSON, or CSV with a blank line between them")->required()->type_name("FILE");
   jsr_verb->add_option("--digits", jsr.digits, "Relative width of the bounds: 10^-D")->check(CLI::Range(1, 30))->type_name("D")->capture_default_str();
-  jsr_verb->add_option("--certificates", jsr.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
+  add_certificates(*jsr_verb, jsr.certificates, "Directory for the certificate");
   add_common(*jsr_verb, jsr);
 
   RefineOptions refine;
@@ -173,7 +178,7 @@ int run(int argc, char** argv) {
   refine_verb->add_option("--levels", refine.levels, "How often to refine")->check(CLI::Range(0, 60))->type_name("N")->capture_default_str();
   refine_verb->add_option("-o,--output", refine.outputs, "File to write, by its ending: .csv (of a surface: .obj), .svg, .pgf or .png; may be repeated")
       ->required()->type_name("OUT")->expected(1, 64)->allow_extra_args(false);
-  refine_verb->add_option("--param", refine.parameters, "Parameter value: w=1/16; of a nonstationary scheme theta=2*pi/7, type=hyperbolic")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*refine_verb, refine.parameters, "Parameter value: w=1/16; of a nonstationary scheme theta=2*pi/7, type=hyperbolic");
   refine_verb->add_option("--knots", refine.knots,
                           "Of a non-uniform scheme: uniform, chordal, centripetal (default), or a file with one knot a line")
       ->type_name("SPACING|FILE");
@@ -199,15 +204,15 @@ int run(int argc, char** argv) {
   FilterOptions filters;
   CLI::App* filters_verb = app.add_subcommand("multiresolution", "Filters that reverse a scheme: banded, biorthogonal, of least orthogonality error");
   filters_verb->add_option("scheme", filters.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
-  filters_verb->add_option("--param", filters.parameters, "Parameter value: w=1/16")->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*filters_verb, filters.parameters, "Parameter value: w=1/16");
   filters_verb->add_option("--extension", filters.extension, "Filters longer than the mask by up to L, an even number (default 0; with --threshold 64)")
       ->check(CLI::Range(0, 128))->type_name("L");
   filters_verb->add_option("--threshold", filters.threshold, "The least extension with an orthogonality error of at most E")->type_name("E");
   filters_verb->add_option("--shift", filters.shift, "Use this shift of A and B instead of the best one")->type_name("S");
   filters_verb->add_option("--precision", filters.precision, "exact (default), double, or a number of decimal digits")->type_name("KIND");
   filters_verb->add_option("-o,--output", filters.output, "File for the filters (JSON)")->type_name("FILE");
-  filters_verb->add_option("--certificates", filters.certificates, "Directory for the certificate")->type_name("DIR")->capture_default_str();
-  filters_verb->add_option("--plot", filters.plot, "Orthogonality error against filter length: .svg, .pgf or .png")->type_name("FILE");
+  add_certificates(*filters_verb, filters.certificates, "Directory for the certificate");
+  filters_verb->add_option("--plot", filters.plot, "Orthogonality error against filter length: .svg, .pgf, .png or .csv")->type_name("FILE");
   filters_verb->add_option("--beside", filters.beside, "Another scheme for the plot; may be repeated")->type_name("SCHEME")->expected(1, 64)->allow_extra_args(false);
   add_common(*filters_verb, filters);
 
@@ -238,8 +243,9 @@ int run(int argc, char** argv) {
   report_verb->add_option("scheme", report.schemes, "Catalogue names or scheme files")->type_name("SCHEME");
   report_verb->add_option("-o,--output", report.output, "Directory of the report; with --fragment a .tex file")->required()->type_name("DIR|FILE");
   report_verb->add_option("--claim", report.claim, "Decide this claim instead of the file's own, e.g. C2 or \"not C3\"");
-  report_verb->add_option("--param", report.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]")
-      ->type_name("NAME=VALUE")->expected(1, 64)->allow_extra_args(false);
+  add_settings(*report_verb, report.parameters, "Parameter value or interval: w=1/96, w=[1/1000,1/50], w=(0,1/8]");
+  report_verb->add_option("--multiresolution", report.multiresolution, "Also the multiresolution filters of uniform binary schemes, with extensions up to L")
+      ->check(CLI::Range(0, 128))->type_name("L");
   report_verb->add_flag("--fragment", report.fragment, "One file to \\input into an article, without preamble, packages and pictures");
   report_verb->add_flag("--no-pdf", report.no_pdf, "Do not run LaTeX");
   report_verb->add_option("--format", report.format, "latex or markdown")->check(CLI::IsMember({"latex", "markdown"}))->type_name("FORMAT")->capture_default_str();

@@ -1,5 +1,6 @@
 #include "apps/limes/json_output.hpp"
 #include "apps/limes/options.hpp"
+#include "apps/limes/outputs.hpp"
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
@@ -20,14 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string picture_kind(const fs::path& file) {
-  const std::string ending = file.extension().string();
-  for (const char* kind : {"svg", "pgf", "png"}) {
-    if (ending == std::string(".") + kind) return kind;
-  }
-  throw InputError(fmt::format("-o {}: the ending must be .svg, .pgf or .png", file.string()));
-}
-
 Rational tolerance_from(const std::string& text, const Box& region) {
   if (text.empty()) {
     const Rational whole = measure(region);
@@ -45,11 +38,8 @@ Rational tolerance_from(const std::string& text, const Box& region) {
 /// Writes the certificates of all parts and removes those of an earlier run.
 std::vector<std::vector<std::string>> write_certificates(const fs::path& directory, const std::string& stem,
                                                          const std::vector<MapUnion>& unions) {
+  make_directory(directory);
   std::error_code error;
-  fs::create_directories(directory, error);
-  if (error || !fs::is_directory(directory)) {
-    throw InputError(fmt::format("cannot make the directory '{}' for certificates", directory.string()));
-  }
   for (int number = 1; fs::remove(directory / fmt::format("{}.{}.json", stem, number), error); ++number) {
   }
   int number = 0;
@@ -88,12 +78,12 @@ void print_map(const MapReport& report, const Rational& tolerance, bool quiet) {
 
 int run_map(const MapVerbOptions& options) {
   const Session session(options);
-  std::vector<OutputFile> outputs;
-  for (const fs::path& file : options.outputs) outputs.push_back({file.string(), picture_kind(file)});
+  const std::vector<OutputFile> outputs = outputs_by_ending(options.outputs, {"svg", "pgf", "png"});
   const Scheme scheme = load_scheme(options.scheme);
   require_one_mask(scheme, "map");
   Claim claim = read_statement(options.claim);
   if (claim.negated) throw InputError("--claim: a map is made of C<m>; it shows where that is refuted, too");
+  if (!is_about_smoothness(claim)) throw InputError(fmt::format("--claim '{}': a map is made of C<m> of the scheme itself", statement(claim)));
   claim.region = region_from_settings(scheme, options.parameters);
   MapOptions search{.tolerance = tolerance_from(options.tolerance, claim.region)};
 
@@ -116,7 +106,7 @@ int run_map(const MapVerbOptions& options) {
   const MapReport report{scheme, claim, map, unions, write_certificates(options.certificates, stem, unions)};
   for (const OutputFile& output : outputs) {
     const Plot plot = map_plot(unions, claim.region, scheme.parameter_names(), fmt::format("{}: {}", scheme.name, statement(claim)));
-    write_file(output.file, output.kind == "svg" ? to_svg(plot) : output.kind == "pgf" ? to_pgf(plot) : to_png(plot));
+    write_file(output.file, picture(output.kind, plot));
   }
   if (options.json) {
     std::cout << map_json(report);

@@ -1,17 +1,17 @@
 #include "apps/limes/multiresolution_json.hpp"
 #include "apps/limes/options.hpp"
+#include "apps/limes/outputs.hpp"
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
 #include "algebra/number/read_rational.hpp"
-#include "reports/plot/plot.hpp"
+#include "reports/unity/decided_filters.hpp"
 #include "schemes/catalogue.hpp"
 #include "schemes/unity/filter_file.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cmath>
 #include <iostream>
 
 namespace limes::app {
@@ -52,13 +52,7 @@ BinaryMask load_binary_mask(const std::string& name, const std::vector<std::stri
   const Scheme scheme = load_scheme(name);
   if (scheme.kind != SchemeKind::uniform || scheme.mask.arity != 2)
     throw InputError(fmt::format("{} is no uniform binary scheme: filters need one mask of arity 2", scheme.name));
-  const Box region = region_from_settings(scheme, settings);
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    if (region[k].is_point()) continue;
-    throw InputError(
-        fmt::format("filters need one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
-  }
-  Mask mask = at(scheme.mask, midpoint(region));
+  Mask mask = at(scheme.mask, point_from_settings(scheme, settings, "filters need"));
   std::vector<Rational> coefficients = mask.symbol.rational_coefficients();
   return {scheme.name, std::move(mask), std::move(coefficients)};
 }
@@ -113,27 +107,12 @@ void print(const MultiresolutionReport& report) {
                              report.result.steps.back().extension);
 }
 
-void write_plot(const FilterOptions& options, const std::vector<std::pair<std::string, Multiresolution>>& curves) {
-  Plot plot;
-  plot.title = "Orthogonality error against filter length";
-  plot.x.label = "filter length";
-  plot.y.label = "||P^T q||";
-  plot.y.logarithmic = true;
-  for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto& [name, result] = curves[c];
-    PlotCurve curve{{}, {palette(c), 1, Dash::solid}, false, name};
-    for (const ExtensionStep& step : result.steps) {
-      if (step.squared_error > 0)
-        curve.points.push_back({static_cast<double>(result.bank.length() - result.bank.extension + step.extension),
-                                std::sqrt(approx_double(step.squared_error))});
-    }
-    plot.items.push_back(PlotMarkers{curve.points, palette(c), 2, {}});
-    plot.items.push_back(std::move(curve));
-  }
-  const std::string ending = options.plot.extension().string();
-  if (ending == ".svg") return write_file(options.plot, to_svg(plot));
-  if (ending == ".pgf") return write_file(options.plot, to_pgf(plot));
-  write_file(options.plot, to_png(plot));
+/// The kind of --plot. \throws InputError for another ending
+std::string plot_kind(const FilterOptions& options) { return kind_by_ending("--plot", options.plot, {"svg", "pgf", "png", "csv"}); }
+
+void write_plot(const FilterOptions& options, const std::vector<ErrorCurve>& curves) {
+  const std::string kind = plot_kind(options);
+  write_file(options.plot, kind == "csv" ? error_csv(curves) : picture(kind, error_plot(curves)));
 }
 
 }  // namespace
@@ -141,26 +120,23 @@ void write_plot(const FilterOptions& options, const std::vector<std::pair<std::s
 int run_multiresolution(const FilterOptions& options) {
   const Session session(options);
   const limes::MultiresolutionOptions how = wanted(options);
-  const std::string ending = options.plot.extension().string();
-  if (!options.plot.empty() && ending != ".svg" && ending != ".pgf" && ending != ".png")
-    throw InputError(fmt::format("--plot {}: the ending must be .svg, .pgf or .png", options.plot.string()));
+  if (!options.plot.empty()) plot_kind(options);  // before work is done
   const BinaryMask mask = load_binary_mask(options.scheme, options.parameters);
-  std::vector<std::pair<std::string, Multiresolution>> curves{{mask.scheme, find(mask, how, session.stop())}};
+  std::vector<ErrorCurve> curves{{mask.scheme, find(mask, how, session.stop())}};
   if (!options.plot.empty()) {
     for (const std::string& other : options.beside) {
       const BinaryMask next = load_binary_mask(other, {});
-      curves.emplace_back(next.scheme, find(next, how, session.stop()));
+      curves.push_back({next.scheme, find(next, how, session.stop())});
     }
     write_plot(options, curves);
   } else if (!options.beside.empty()) {
     throw InputError("--beside needs --plot");
   }
-  const Multiresolution& result = curves.front().second;
+  const Multiresolution& result = curves.front().result;
   const BiorthogonalityProof proof = prove_biorthogonality(mask.scheme, mask.mask, result.bank);
   MultiresolutionReport report{mask.scheme, result, proof, {}, options.output.string()};
   if (!proof.certificate_json.empty()) {
-    std::error_code error;
-    std::filesystem::create_directories(options.certificates, error);
+    make_directory(options.certificates);
     const std::filesystem::path file = options.certificates / (mask.scheme + ".multiresolution.json");
     write_file(file, proof.certificate_json);
     report.certificate = file.string();

@@ -1,6 +1,6 @@
 #include "apps/limes/multiresolution_json.hpp"
 
-#include <nlohmann/json.hpp>
+#include "proofs/number_json_impl.hpp"
 
 #include <cmath>
 
@@ -8,12 +8,6 @@ namespace limes::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json texts(const std::vector<Rational>& numbers) {
-  Json json = Json::array();
-  for (const Rational& x : numbers) json.push_back(to_string(x));
-  return json;
-}
 
 Json decimals(const std::vector<Rational>& numbers) {
   Json json = Json::array();
@@ -42,10 +36,10 @@ std::string multiresolution_json(const MultiresolutionReport& report) {
                      {"orthogonality_error", outward(sqrt_bounds(step.squared_error))}});
   }
   return text({{"scheme", report.scheme},
-               {"p", texts(bank.p)},
-               {"a", texts(bank.a)},
-               {"b", texts(bank.b)},
-               {"q", texts(bank.q)},
+               {"p", numbers_to_json(bank.p)},
+               {"a", numbers_to_json(bank.a)},
+               {"b", numbers_to_json(bank.b)},
+               {"q", numbers_to_json(bank.q)},
                {"a_decimal", decimals(bank.a)},
                {"q_decimal", decimals(bank.q)},
                {"shift", bank.shift},

@@ -18,12 +18,7 @@ int run_norm(const NormOptions& options) {
   const Session session(options);
   const Scheme scheme = load_scheme(options.scheme);
   require_one_mask(scheme, "norm");
-  const Box region = region_from_settings(scheme, options.parameters);
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    if (region[k].is_point()) continue;
-    throw InputError(fmt::format("the norm needs one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
-  }
-  const Mask mask = at(scheme.mask, midpoint(region));
+  const Mask mask = at(scheme.mask, point_from_settings(scheme, options.parameters, "the norm needs"));
   const std::optional<LaurentPolynomial> b = difference_symbol(mask, options.order + 1);
   if (!b) {
     throw InputError(fmt::format("the symbol of {} has no factor sigma^{} here: its sum rules have order {}", scheme.name,

@@ -93,9 +93,9 @@ struct DeriveOptions : CommonOptions {
   std::string domain;
   std::string shifts;
   std::vector<std::string> constraints;
-  std::string method = "samples";
-  int samples = 100000;
-  int precision = 53;
+  std::optional<std::string> method;
+  std::optional<int> samples;
+  std::optional<int> precision;
   std::optional<int> decimals;
   std::string rounding;
   std::string optimise;
@@ -178,6 +178,7 @@ struct ReportOptions : CommonOptions {
   std::optional<std::string> claim;
   std::vector<std::string> parameters;
   std::filesystem::path output;
+  std::optional<int> multiresolution;  // the greatest extension
   bool fragment = false;
   bool no_pdf = false;
   std::string format = "latex";   // "latex", "markdown"

@@ -1,5 +1,6 @@
 #include "apps/limes/json_output.hpp"
 #include "apps/limes/options.hpp"
+#include "apps/limes/outputs.hpp"
 #include "apps/limes/refine_surface.hpp"
 #include "apps/limes/session.hpp"
 
@@ -17,28 +18,6 @@
 
 namespace limes::app {
 namespace {
-
-/// "csv", "svg", "pgf" or "png", by the ending.
-std::string kind_of(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  for (const char* kind : {"csv", "svg", "pgf", "png"}) {
-    if (ending == std::string(".") + kind) return kind;
-  }
-  throw InputError(fmt::format("-o {}: the ending must be .csv, .svg, .pgf or .png", file.string()));
-}
-
-std::vector<Rational> parameter_values(const Scheme& scheme, const std::vector<std::string>& settings) {
-  Box region = region_from_settings(scheme, settings);
-  if (scheme.sequence && region.front().width() < power(Rational(2), -100)) {  // an angle with pi
-    region.front() = Interval::point(region.front().midpoint());
-  }
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    if (region[k].is_point()) continue;
-    throw InputError(
-        fmt::format("refining needs one value of every parameter: --param {}=VALUE", scheme.parameters[k].name));
-  }
-  return midpoint(region);
-}
 
 /// The polygon with the knots that --knots asks for.
 Polygon with_knots(const Polygon& polygon, const NumberTable& table, const std::string& knots) {
@@ -74,7 +53,7 @@ NonstationaryRule nonstationary_rule(const MaskSequence& sequence, AngleType typ
 }
 
 Refined refined(const Scheme& scheme, const RefineOptions& options, const Stop& stop) {
-  const std::vector<Rational> values = parameter_values(scheme, options.parameters);
+  const std::vector<Rational> values = point_from_settings(scheme, options.parameters, "refining needs");
   const NumberTable table = read_csv_file(options.data);
   Polygon polygon = polygon_from(table, options.closed);
   Refinement refinement{options.levels, EndRule::automatic};
@@ -117,9 +96,7 @@ Refined refined(const Scheme& scheme, const RefineOptions& options, const Stop& 
 
 std::string content(const std::string& kind, const Refined& what, const RefineOptions& options) {
   if (kind == "csv") return to_csv(what.result);
-  const Plot plot = polygon_plot(what.data, what.result, {what.title, options.comb});
-  if (kind == "svg") return to_svg(plot);
-  return kind == "pgf" ? to_pgf(plot) : to_png(plot);
+  return picture(kind, polygon_plot(what.data, what.result, {what.title, options.comb}));
 }
 
 }  // namespace
@@ -129,8 +106,7 @@ int run_refine(const RefineOptions& options) {
   const Scheme scheme = load_scheme(options.scheme);
   if (scheme.surface) return refine_surface(scheme, options, session.stop());
   if (!options.net.empty()) throw InputError(fmt::format("--net: {} is no surface scheme", scheme.name));
-  std::vector<OutputFile> outputs;
-  for (const std::filesystem::path& file : options.outputs) outputs.push_back({file.string(), kind_of(file)});
+  const std::vector<OutputFile> outputs = outputs_by_ending(options.outputs, {"csv", "svg", "pgf", "png"});
   const Refined what = refined(scheme, options, session.stop());
   for (const OutputFile& output : outputs) {
     if (output.kind != "csv" && what.data.dimension() < 2) {

@@ -1,5 +1,5 @@
 // limes refine of surface schemes: meshes and nets in, meshes and pictures out.
-#include "apps/limes/json_output.hpp"
+#include "apps/limes/outputs.hpp"
 #include "apps/limes/refine_surface.hpp"
 #include "apps/limes/session.hpp"
 
@@ -18,14 +18,6 @@
 
 namespace limes::app {
 namespace {
-
-std::string kind_of(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  for (const char* kind : {"obj", "svg", "pgf", "png"}) {
-    if (ending == std::string(".") + kind) return kind;
-  }
-  throw InputError(fmt::format("-o {}: the ending must be .obj, .svg, .pgf or .png for a surface", file.string()));
-}
 
 /// The angles of both directions from theta, theta1, theta2, type, type1 and type2.
 std::array<EdgeAngle, 2> angles_from(const Scheme& scheme, const std::vector<std::string>& settings) {
@@ -52,15 +44,15 @@ std::array<EdgeAngle, 2> angles_from(const Scheme& scheme, const std::vector<std
       if (value == "polynomial") set(thetas, setting, suffix, Rational(0));
       set(types, setting, suffix, value == "hyperbolic" ? AngleType::hyperbolic : AngleType::trigonometric);
     } else {
-      const Interval range = [&] {
+      const std::optional<Rational> theta = [&] {
         try {
-          return read_angles(value);
+          return single_angle(read_angles(value));
         } catch (const InputError& error) {
           throw InputError(fmt::format("--param {}: {}", setting, error.reason()));
         }
       }();
-      if (!range.is_point() && range.width() > power(Rational(2), -100)) throw InputError(fmt::format("--param {}: refining needs one angle", setting));
-      set(thetas, setting, suffix, range.midpoint());
+      if (!theta) throw InputError(fmt::format("--param {}: refining needs one angle", setting));
+      set(thetas, setting, suffix, *theta);
     }
   }
   std::array<EdgeAngle, 2> angles;
@@ -133,9 +125,7 @@ std::string content(const std::string& kind, const RefinedSurface& surface, cons
   if (options.azimuth) plot_options.azimuth = *options.azimuth;
   if (options.elevation) plot_options.elevation = *options.elevation;
   if (options.show_net) plot_options.lines = edge_lines(surface.data);
-  const Plot plot = surface_plot(surface.result, plot_options);
-  if (kind == "svg") return to_svg(plot);
-  return kind == "pgf" ? to_pgf(plot) : to_png(plot);
+  return picture(kind, surface_plot(surface.result, plot_options));
 }
 
 }  // namespace
@@ -144,8 +134,7 @@ int refine_surface(const Scheme& scheme, const RefineOptions& options, const Sto
   if (!scheme.surface->virtual_points)
     throw InputError(fmt::format("{} gives rules around extraordinary points of its own; only schemes with virtual points can be refined", scheme.name));
   if (!options.knots.empty() || options.closed || options.comb) throw InputError("--knots, --closed and --comb are for polygons");
-  std::vector<OutputFile> outputs;
-  for (const std::filesystem::path& file : options.outputs) outputs.push_back({file.string(), kind_of(file)});
+  const std::vector<OutputFile> outputs = outputs_by_ending(options.outputs, {"obj", "svg", "pgf", "png"});
   const RefinedSurface surface = refined(scheme, options, stop);
   for (const OutputFile& output : outputs) {
     write_file(output.file, content(output.kind, surface, options, scheme));

@@ -42,11 +42,6 @@ std::vector<Claim> claims_to_report(const Scheme& scheme, const ReportOptions& o
 std::vector<ReportedScheme> claims_of(const ReportOptions& options) {
   std::vector<ReportedScheme> schemes;
   for (Scheme& scheme : load_schemes(options.schemes)) {
-    if (scheme.sequence && options.schemes.empty()) {
-      if (!options.quiet) std::cerr << fmt::format("limes: the report leaves out {}: it is nonstationary\n", scheme.name);
-      continue;
-    }
-    require_one_mask(scheme, "report");
     ReportedScheme reported;
     for (const Claim& claim : claims_to_report(scheme, options)) reported.claims.push_back({claim, {}, {}});
     reported.scheme = std::move(scheme);
@@ -55,16 +50,48 @@ std::vector<ReportedScheme> claims_of(const ReportOptions& options) {
   return schemes;
 }
 
+/// What weight functions and filters are about: schemes that name a weight function have both, others filters if asked for.
+void study(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
+  constexpr int usual_extension = 8;
+  Progress progress(!options.quiet);
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, schemes.size(), [&](std::size_t index) {
+    ReportedScheme& reported = schemes[index];
+    try {
+      if (reported.scheme.weight && !options.claim) reported.weight = study_weight(reported.scheme, stop);
+      if (reported.weight || options.multiresolution) reported.filters = decide_filters(reported.scheme, options.multiresolution.value_or(usual_extension), stop);
+    } catch (const Interrupted&) {  // the report goes without them
+    }
+    const std::scoped_lock lock(mutex);
+    progress.show(fmt::format("weight functions and filters: {} of {} schemes", ++done, schemes.size()));
+  }, tbb::simple_partitioner());
+}
+
 void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
   std::vector<std::pair<ReportedScheme*, std::size_t>> work;
   for (ReportedScheme& reported : schemes) {
     for (std::size_t k = 0; k < reported.claims.size(); ++k) work.emplace_back(&reported, k);
   }
   const bool asked = options.claim || !options.parameters.empty();
+  // Exponents are cheap beside most claims: they come last.
+  std::vector<std::pair<ReportedScheme*, std::vector<Rational>>> points;
+  for (ReportedScheme& reported : schemes) {
+    std::vector<Claim> claims;
+    for (const DecidedClaim& decided : reported.claims) claims.push_back(decided.claim);
+    if (options.claim) continue;  // that claim and no more
+    for (std::vector<Rational>& point : exponent_points(reported.scheme, claims)) points.emplace_back(&reported, std::move(point));
+  }
+  std::vector<std::optional<DecidedExponent>> exponents(points.size());
   Progress progress(!options.quiet);
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::parallel_for(std::size_t{0}, work.size(), [&](std::size_t index) {
+  tbb::parallel_for(std::size_t{0}, work.size() + points.size(), [&](std::size_t index) {
+    if (index >= work.size()) {
+      const auto& [reported, point] = points[index - work.size()];
+      exponents[index - work.size()] = decide_exponent(reported->scheme, point, stop);
+      return;
+    }
     auto& [reported, k] = work[index];
     DecidedClaim& decided = reported->claims[k];
     decided.verdict = prove(reported->scheme, decided.claim, {}, stop);
@@ -72,6 +99,9 @@ void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, 
     const std::scoped_lock lock(mutex);
     progress.show(fmt::format("{} of {} claims", ++done, work.size()));
   }, tbb::simple_partitioner());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (exponents[k]) points[k].first->exponents.push_back(std::move(*exponents[k]));
+  }
 }
 
 /// The day of SOURCE_DATE_EPOCH; nothing without it.
@@ -104,6 +134,11 @@ class Output {
     files_.emplace_back(name, content);
     outputs_.push_back({(directory_ / name).string(), kind});
   }
+  /// Of an earlier run.
+  void remove(const std::string& name) const {
+    std::error_code ignored;
+    fs::remove(directory_ / name, ignored);
+  }
   void add(const std::string& name, const std::string& kind) { outputs_.push_back({(directory_ / name).string(), kind}); }
   const Manifest::Files& files() const { return files_; }
   const std::vector<OutputFile>& outputs() const { return outputs_; }
@@ -119,6 +154,11 @@ void write_certificates(const std::vector<ReportedScheme>& schemes, const std::s
     for (const DecidedClaim& decided : reported.claims) {
       if (!decided.certificate.empty()) output.write(folder + decided.certificate, "certificate", decided.verdict.certificate_json);
     }
+    for (const DecidedExponent& decided : reported.exponents) output.write(folder + decided.certificate, "certificate", decided.certificate_json);
+    if (reported.filters) output.write(folder + reported.filters->certificate, "certificate", reported.filters->proof.certificate_json);
+    for (const auto& [name, json] : reported.weight ? exponent_certificates(reported.scheme, *reported.weight) : std::vector<std::pair<std::string, std::string>>{}) {
+      output.write(folder + name, "certificate", json);
+    }
   }
 }
 
@@ -127,6 +167,7 @@ std::vector<std::string> command_words(const ReportOptions& options) {
   words.insert(words.end(), options.schemes.begin(), options.schemes.end());
   if (options.claim) words.insert(words.end(), {"--claim", *options.claim});
   for (const std::string& parameter : options.parameters) words.insert(words.end(), {"--param", parameter});
+  if (options.multiresolution) words.insert(words.end(), {"--multiresolution", fmt::format("{}", *options.multiresolution)});
   if (options.format != "latex") words.insert(words.end(), {"--format", options.format});
   if (options.engine != "pdflatex") words.insert(words.end(), {"--engine", options.engine});
   words.insert(words.end(), {"-o", options.output.string()});
@@ -134,14 +175,17 @@ std::vector<std::string> command_words(const ReportOptions& options) {
 }
 
 void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
-  const Document document = proof_report(schemes, {.title = {}, .front_matter = false, .figures = false, .polygons = {}}, stop);
+  const Document document = proof_report(schemes, {.title = {}, .front_matter = false, .figures = false, .polygons = {}, .nets = {}}, stop);
   output.write(options.output.filename().string(), "latex", to_latex(document, load_bibliography(), {.fragment = true, .date = {}}));
   write_certificates(schemes, "", output);
 }
 
 void write_report(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
   ProofReportOptions contents;
+  write_certificates(schemes, "certificates/", output);  // first: an interruption does not lose them
+  for (const char* old : {"figures.tex", "figures.pdf", "report.pdf"}) output.remove(old);
   contents.polygons = data_path("polygons");
+  contents.nets = data_path("surfaces");
   const Document document = proof_report(schemes, contents, stop);
   const bool latex = options.format == "latex";
   for (const Figure* figure : figures(document)) {
@@ -152,7 +196,6 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
       output.write("data/" + name + ".csv", "csv", figure->panels[k].data);
     }
   }
-  write_certificates(schemes, "certificates/", output);
   const References references = load_bibliography();
   if (latex && !figures(document).empty()) output.write("figures.tex", "latex-figures", figures_latex(document));
   if (latex) output.write("report.tex", "latex", to_latex(document, references, {.fragment = false, .date = source_date()}));
@@ -162,6 +205,7 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   output.write("manifest.json", "manifest", manifest_json(manifest));
   if (latex && !options.no_pdf) {
     run_latexmk(options.output / "report.tex", options.engine, stop);
+    if (!figures(document).empty()) output.add("figures.pdf", "pdf-figures");
     output.add("report.pdf", "pdf");
   }
 }
@@ -187,6 +231,7 @@ int run_report(const ReportOptions& options) {
   if (options.fragment && options.format != "latex") throw InputError("--fragment writes LaTeX, not --format " + options.format);
   Output output(options.fragment ? fs::absolute(options.output).parent_path() : options.output);
   decide(schemes, options, session.stop());
+  study(schemes, options, session.stop());
   if (options.fragment) write_fragment(schemes, options, session.stop(), output);
   else write_report(schemes, options, session.stop(), output);
   if (options.json) {

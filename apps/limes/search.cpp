@@ -64,7 +64,7 @@ class Search {
       throw InputError(fmt::format("{} is a {} scheme; a search needs a non-uniform one with parameters", scheme_.name,
                                    to_string(scheme_.kind)));
     }
-    if (claim_.negated) throw InputError("--claim: a search looks for smooth schemes, C<m>");
+    if (claim_.negated || !is_about_smoothness(claim_)) throw InputError("--claim: a search looks for smooth schemes, C<m>");
     if (scheme_.parameters.empty()) throw InputError(fmt::format("{} has no parameters to search over", scheme_.name));
     box_ = region_from_settings(scheme_, options.parameters);
   }
@@ -123,8 +123,7 @@ class Search {
     record.verdict = to_string(trial.verdict->outcome);
     record.reason = trial.verdict->reason;
     if (trial.verdict->outcome == Outcome::certified && !options_.certificates.empty()) {
-      std::error_code error;
-      fs::create_directories(options_.certificates, error);
+      make_directory(options_.certificates);
       const fs::path file = options_.certificates / fmt::format("{}.search.{}.{}.json", scheme_.name, trial.start, options_.claim);
       write_file(file, trial.verdict->certificate_json);
       record.certificate = file.string();

@@ -117,6 +117,7 @@ void print_text(const Scheme& scheme) {
   }
   if (!scheme.rule.empty()) line("rule", scheme.rule);
   line("mask", mask_text(mask, names));
+  if (scheme.weight) line("weight", describe(*scheme.weight));
   line("symbol", fmt::format("a(z) = {}", symbol_text(mask, order)));
   line("", fmt::format("b_{} .. b_{} = {}", b.lowest(), b.highest(), fmt::join(texts(b, names, false), ", ")));
   line("sum rules", fmt::format("order {}", order));

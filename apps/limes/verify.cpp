@@ -40,7 +40,7 @@ class Verification {
   }
 
   int run() {
-    prepare_directory();
+    make_directory(options_.certificates);
     if (!options_.json && !options_.quiet) std::cout << table_.header();
     tbb::parallel_for(std::size_t{0}, results_.size(), [&](std::size_t k) { decide(k); }, tbb::simple_partitioner());
     progress_.clear();
@@ -53,14 +53,6 @@ class Verification {
   }
 
  private:
-  void prepare_directory() const {
-    std::error_code error;
-    fs::create_directories(options_.certificates, error);
-    if (error || !fs::is_directory(options_.certificates)) {
-      throw InputError(fmt::format("cannot make the directory '{}' for certificates", options_.certificates.string()));
-    }
-  }
-
   void decide(std::size_t k) {
     VerifiedClaim& result = results_[k];
     const auto begin = std::chrono::steady_clock::now();

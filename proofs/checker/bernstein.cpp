@@ -2,6 +2,7 @@
 #include "proofs/checker/bernstein.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace limes::checker {
 
@@ -111,23 +112,25 @@ Bernstein power(const Bernstein& p, int n) {
 
 bool is_positive(const std::vector<mpz_class>& coefficients, const std::vector<int>& degrees, const Region& box) {
   const std::size_t axes = degrees.size();
-  std::vector<int> index(axes, 0), least = degrees, greatest(axes, -1);
-  bool any = false;
-  for (const bool measure : {true, false}) {  // the box of indices where coefficients are not zero; their signs there
-    for (const auto& c : coefficients) {
-      bool inside = true;
-      for (std::size_t k = 0; k < axes; ++k) {
-        if (measure && c != 0) least[k] = std::min(least[k], index[k]), greatest[k] = std::max(greatest[k], index[k]);
-        inside = inside && index[k] >= least[k] && index[k] <= greatest[k];
-      }
-      if (!measure && inside && c <= 0) return false;
-      any = any || c != 0;
-      for (std::size_t k = axes; k-- > 0 && ++index[k] > degrees[k];) index[k] = 0;  // the next index; at the end 0
-    }
-  }
+  std::size_t needed = 1;  // smallest faces
   for (std::size_t k = 0; k < axes; ++k)
-    if ((least[k] > 0 && !box[k].lower.after) || (greatest[k] < degrees[k] && box[k].upper.after)) return false;
-  return any;
+    if (degrees[k] > 0 && !box[k].lower.after && box[k].upper.after) needed *= 2;
+  std::vector<int> index(axes, 0);
+  std::set<std::vector<bool>> found;  // for the axes with closed ends: whether it is the lower one
+  for (const auto& c : coefficients) {
+    if (c < 0) return false;
+    std::vector<bool> face;
+    bool on_face = c > 0;
+    for (std::size_t k = 0; k < axes && on_face; ++k) {
+      const bool lower_closed = !box[k].lower.after, upper_closed = box[k].upper.after;
+      if (degrees[k] == 0 || (!lower_closed && !upper_closed)) continue;
+      face.push_back(lower_closed && index[k] == 0);
+      on_face = face.back() || (upper_closed && index[k] == degrees[k]);
+    }
+    if (on_face) found.insert(std::move(face));
+    for (std::size_t k = axes; k-- > 0 && ++index[k] > degrees[k];) index[k] = 0;  // the next index; at the end 0
+  }
+  return found.size() == needed;
 }
 
 }  // namespace limes::checker

@@ -37,8 +37,10 @@ Bernstein to_bernstein(const std::vector<Polynomial>& polynomials, const Region&
 Bernstein convolve(const Bernstein& p, const Bernstein& q, std::size_t spacing = 1);
 Bernstein power(const Bernstein& p, int n);
 
-/// Whether the coefficients (of one polynomial) are positive apart from faces at open ends where they are all zero:
-/// then p = prod t_k^{kappa_k} s_k^{kappa'_k} r with r > 0 on the closed box, so p > 0 on the box itself.
+/// Whether no coefficient (of one polynomial) is negative, and every face of the box that contains none of its excluded
+/// points has a positive one. A point inside of a face sees the face's coefficients with positive weights, so p > 0 on
+/// the box itself. A face without excluded points contains a smallest one: at every axis a closed end, or the whole open
+/// interval.
 bool is_positive(const std::vector<mpz_class>& coefficients, const std::vector<int>& degrees, const Region& box);
 
 }  // namespace limes::checker

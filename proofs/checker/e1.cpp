@@ -14,9 +14,19 @@ namespace {
 
 mpq_class read_number(const Reader& reader, const Json& json, const std::string& what, Budget& budget) {
   const std::string& text = reader.text(json, what);
+  if (text.size() > 400) reader.fail("has a number of more than 400 characters");
   budget.work(1000 + 2. * static_cast<double>(text.size() * text.size()));
   return read_rational(text, "proof");
 }
+
+double size_of(const std::vector<mpq_class>& p) {
+  double size = 1;
+  for (const mpq_class& c : p) size = std::max(size, limbs(c));
+  return size;
+}
+
+/// The nanoseconds of n multiplications with addition of rationals of so many machine words.
+double rational_cost(double n, double words) { return n * (500 + 0.5 * words * words); }
 
 /// A polynomial in lambda whose coefficients f_0 .. f_d are polynomials in a second variable, c or x = 1/n.
 using Family = std::vector<std::vector<mpq_class>>;
@@ -74,8 +84,10 @@ std::vector<Family> without_one(std::vector<Family> factors) {
 }
 
 /// The values of p on [from, to], by Taylor's formula at the midpoint.
-Enclosure on_cell(std::vector<mpq_class> p, const mpq_class& from, const mpq_class& to) {
+Enclosure on_cell(std::vector<mpq_class> p, const mpq_class& from, const mpq_class& to, Budget& budget) {
   const mpq_class middle = (from + to) / 2;
+  const auto n = static_cast<double>(p.size());
+  budget.work(1000 + rational_cost(n * n / 2 + n, size_of(p) + n * limbs(middle)));
   for (std::size_t k = 0; k < p.size(); ++k)
     for (std::size_t i = p.size() - 1; i-- > k;) p[i] += middle * p[i + 1];
   const Enclosure radius(mpq_class((to - from) / 2));
@@ -88,8 +100,14 @@ Enclosure on_cell(std::vector<mpq_class> p, const mpq_class& from, const mpq_cla
 Enclosure on_box(Family f, const mpq_class& low, const mpq_class& high, const mpq_class& from, const mpq_class& to,
                  Budget& budget) {
   const mpq_class middle = (low + high) / 2;
+  const auto n = static_cast<double>(f.size());
+  double size = 0, terms = 0;
+  for (const std::vector<mpq_class>& p : f) {
+    size = std::max(size, size_of(p));
+    terms = std::max(terms, static_cast<double>(p.size()));
+  }
+  budget.work(3000 * n + rational_cost(n * n / 2 * terms, size + n * limbs(middle)));
   for (std::size_t k = 0; k < f.size(); ++k) {
-    budget.work(3000. * static_cast<double>(f.size() + f[k].size() * f[k].size()));
     for (std::size_t i = f.size() - 1; i-- > k;) {
       f[i].resize(std::max(f[i].size(), f[i + 1].size()));
       for (std::size_t e = 0; e < f[i + 1].size(); ++e) f[i][e] += middle * f[i + 1][e];
@@ -97,8 +115,8 @@ Enclosure on_box(Family f, const mpq_class& low, const mpq_class& high, const mp
   }
   const Enclosure radius(mpq_class((high - low) / 2));
   Enclosure rest(mpq_class(0));
-  for (std::size_t k = f.size(); k-- > 1;) rest = (absolute(on_cell(f[k], from, to)) + rest) * radius;
-  return on_cell(f[0], from, to) + hull(rest, -rest);
+  for (std::size_t k = f.size(); k-- > 1;) rest = (absolute(on_cell(f[k], from, to, budget)) + rest) * radius;
+  return on_cell(f[0], from, to, budget) + hull(rest, -rest);
 }
 
 Family derivative_by_root(const Family& f) {
@@ -120,10 +138,7 @@ Family derivative_by_second(Family f) {
 int roots_inside(const Family& f, const mpq_class& radius, const mpq_class& from, const mpq_class& to, Budget& budget,
                  int depth = 0) {
   std::vector<Enclosure> values;
-  for (const std::vector<mpq_class>& p : f) {
-    budget.work(3000. * static_cast<double>(1 + p.size() * p.size()));
-    values.push_back(on_cell(p, from, to));
-  }
+  for (const std::vector<mpq_class>& p : f) values.push_back(on_cell(p, from, to, budget));
   const int inside = roots_inside(std::move(values), radius, budget);
   if (inside >= 0 || depth == 10 || from == to) return inside;
   const mpq_class middle = (from + to) / 2;
@@ -250,10 +265,11 @@ class AllValences {
     if (!on_box(*leading, low, low, from, to, budget_).is_negative() ||
         !on_box(*leading, high, high, from, to, budget_).is_positive())
       fail("the subdominant eigenvalue may leave the root's interval of a cell");
-    if (spectra_.has_harmonic) return;
-    // d lambda / d c = -f_c / f_lambda > 0.
-    if (!on_box(derivative_by_root(*leading), low, high, from, to, budget_).is_positive() ||
-        !on_box(derivative_by_second(*leading), low, high, from, to, budget_).is_negative())
+    // d lambda / d c = -f_c / f_lambda, which prove_touch() takes for granted, too; without a harmonic it has to be positive.
+    if (spectra_.has_harmonic && !touch_) return;
+    if (!on_box(derivative_by_root(*leading), low, high, from, to, budget_).is_positive())
+      fail("the subdominant eigenvalue is not proved to be a differentiable function of the cosine");
+    if (!spectra_.has_harmonic && !on_box(derivative_by_second(*leading), low, high, from, to, budget_).is_negative())
       fail("the subdominant eigenvalue is not proved to grow with the cosine");
   }
 

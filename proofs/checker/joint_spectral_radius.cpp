@@ -33,8 +33,9 @@ std::vector<mpz_class> characteristic_polynomial(const std::vector<mpz_class>& e
   return reconstruction.result();
 }
 
-/// rho(B_word) >= bound^k for a word of length k.
-void prove_lower(const std::vector<RationalMatrix>& family, const Json& word, const mpq_class& bound, Budget& budget) {
+}  // namespace
+
+void prove_radius_at_least(const std::vector<RationalMatrix>& family, const Json& word, const mpq_class& bound, Budget& budget) {
   const std::string step = "lower";
   if (bound == 0) return;
   if (!word.is_array() || word.empty() || word.size() > 64) throw Rejected{step, "a lower bound needs a word of 1 to 64 letters"};
@@ -77,6 +78,8 @@ void prove_lower(const std::vector<RationalMatrix>& family, const Json& word, co
   if (all_roots_inside(std::move(chi), budget)) throw Rejected{step, "the word's product has a smaller spectral radius"};
 }
 
+namespace {
+
 std::string decimal(const mpq_class& x) {
   mpz_class scaled = x.get_num() * 1000000 / x.get_den();
   std::string text = scaled.get_str();
@@ -103,7 +106,7 @@ void prove_radius(const std::vector<RationalMatrix>& family, const RadiusBounds&
     }
     if (bounds.back().upper > claim.upper) throw Rejected{"upper", "a block has a greater bound"};
   }
-  prove_lower(family, proof.at("word"), claim.lower, budget);
+  prove_radius_at_least(family, proof.at("word"), claim.lower, budget);
   if (claim.polynomial.empty()) return;
   // One block's radius is a root of the polynomial and at least as great as all others.
   for (std::size_t k = 0; k < bounds.size(); ++k) {

@@ -68,6 +68,9 @@ RadiusBounds prove_exact_polytope(const std::vector<RationalMatrix>& family, con
 /// roots between the bounds. \throws Rejected at "lower", "blocks", "polytope", "exact_polytope" or "upper"
 void prove_radius(const std::vector<RationalMatrix>& family, const RadiusBounds& claim, const nlohmann::json& proof, Budget& budget);
 
+/// rho(B_word)^{1/k} >= bound for a word of length k, a list of letters. \throws Rejected at "lower"
+void prove_radius_at_least(const std::vector<RationalMatrix>& family, const nlohmann::json& word, const mpq_class& bound, Budget& budget);
+
 /// The joint spectral radius of the family is at most `bound`: {"form": null or as above, "blocks": [a polytope each]}. For
 /// matrices affine in parameters on a box, the family of the matrices at all corners proves it on the whole box.
 void prove_polytope_norm(const std::vector<RationalMatrix>& family, const mpq_class& bound, const nlohmann::json& norm,

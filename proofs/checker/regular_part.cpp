@@ -27,7 +27,9 @@ class RowSpace {
         return basis_.emplace(k, std::move(row)).second;
       }
       const mpq_class factor = row[k];
-      budget_.work(static_cast<double>(size_) * (500 + limbs(factor) * limbs(factor)));
+      double words = limbs(factor);
+      for (std::size_t j = k; j < size_; ++j) words = std::max(words, limbs(row[j]) + limbs(own->second[j]));
+      budget_.work(static_cast<double>(size_) * (500 + words * words));
       for (std::size_t j = k; j < size_; ++j) row[j] -= factor * own->second[j];
     }
     return false;
@@ -76,7 +78,10 @@ bool is_locally_independent(const std::vector<mpq_class>& mask, int first, Budge
     open.pop_back();
     for (int e = 0; e < 2; ++e) {
       Row next(size);
-      budget.work(1000. * static_cast<double>(size * size));
+      double words = 0, longest = 0;
+      for (const mpq_class& x : row) words = std::max(words, limbs(x));
+      for (const mpq_class& x : mask) longest = std::max(longest, limbs(x));
+      budget.work(static_cast<double>(size * size) * (1000 + 4 * (words + longest) * longest));
       for (std::size_t k = 0; k < size; ++k)
         for (std::size_t i = 0; i < size; ++i) next[k] += row[i] * entry(e, i, k);
       if (values.include(next)) open.push_back(std::move(next));

@@ -236,7 +236,9 @@ RingRow ring_row(const RingScheme& scheme, RingPoint point, std::optional<int> v
     Laurent& weight = term.harmonic == 0   ? entry.mean
                       : term.harmonic == 1 ? entry.first
                                            : entry.by_sector[term.sector];
-    weight = add(std::move(weight), weight_in(term.weight, valence, budget));
+    const Laurent own = weight_in(term.weight, valence, budget);
+    budget.work(multiply_cost(weight, own));  // sums of long fractions get longer
+    weight = add(std::move(weight), own);
   }
   return row;
 }

@@ -94,11 +94,15 @@ class Moments {
       const mpq_class distance = tau_ - k, v = f.frequency * d_ * distance;
       if (abs(v) > 4000) throw Rejected{"limits", "a frequency times the length of the mask exceeds 4000"};
       mpq_class weight = 1;
-      budget_.work(200. * m);
+      const double size = limbs(distance), power = m * size;  // tau may be huge
+      budget_.work(m * (200 + 4 * power * size));
       for (int e = 0; e < m; ++e) weight *= distance;
       if (odd && v < 0) weight = -weight;
       const int n = static_cast<int>(v.get_num().get_si());
-      add(sum, times(numerators_[i], chebyshev(std::abs(n), odd, budget_), budget_), weight);
+      const Dense term = times(numerators_[i], chebyshev(std::abs(n), odd, budget_), budget_);
+      const double added = power + size_of(term) + size_of(sum);
+      budget_.work(static_cast<double>(term.size()) * (500 + 4 * added * added));
+      add(sum, term, weight);
     }
     return sum;
   }
@@ -187,8 +191,11 @@ Statement read_statement(const std::string& text, bool hyperbolic) {
 mpq_class limit_tau(const Sequence& sequence, Budget& budget) {
   const LevelMask& mask = sequence.mask;
   mpq_class sum = 0;
-  for (std::size_t i = 0; i < mask.numerators.size(); ++i)
-    sum += (mask.first_index + static_cast<int>(i)) * value(mask.numerators[i], 1, budget);
+  for (std::size_t i = 0; i < mask.numerators.size(); ++i) {
+    const mpq_class own = value(mask.numerators[i], 1, budget);
+    budget.work(500 + 4 * (limbs(sum) + limbs(own)) * (limbs(sum) + limbs(own)));
+    sum += (mask.first_index + static_cast<int>(i)) * own;
+  }
   mpq_class tau = sum / (value(mask.denominator, 1, budget) * sequence.arity);
   if (tau.get_den() > 16) throw Rejected{"limits", "the parametrisation has a denominator above 16"};
   return tau;

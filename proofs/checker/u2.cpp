@@ -264,6 +264,12 @@ void prove_word(const LocalScheme& scheme, const std::vector<int>& word, Budget&
     Coefficients ascending;
     for (std::size_t i = n + 1; i-- > 0;) ascending.push_back(chi[i].coefficients[0]);
     if (!all_roots_inside(ascending, budget)) return;
+  } else if (n > 1) {
+    // With all roots inside, d^{n(n-1)} prod_{i<j} (1 - z_i z_j) would be positive.
+    Bernstein ascending{chi[n].degrees, {}};
+    for (std::size_t i = n + 1; i-- > 0;)
+      ascending.coefficients.insert(ascending.coefficients.end(), chi[i].coefficients.begin(), chi[i].coefficients.end());
+    if (non_positive(boundary_determinant(ascending, budget))) return;
   }
   throw Rejected{"word", "the product of the word is not proved to have spectral radius at least 1"};
 }

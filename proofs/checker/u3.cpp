@@ -93,6 +93,19 @@ std::vector<RationalMatrix> sections(const LocalScheme& scheme, Budget& budget) 
   return result;
 }
 
+/// JSR <= ||S_b^l||^{1/l} < upper, since the rows of products of l sections are parts of rows of S_b^l; and a word for the lower bound.
+void prove_radius_by_norm(LocalScheme scheme, const std::vector<RationalMatrix>& family, const RadiusBounds& claim, const Json& json, Budget& budget) {
+  const Reader proof(json, "proof", "the proof of the radius", {"word", "level"});
+  if (!claim.polynomial.empty()) proof.fail("has no exact radius");
+  const int level = proof.integer(proof.at("level"), "the level", 1, 24);
+  budget.work(20 * (limbs(scheme.quotient) + limbs(scheme.denominator)) * static_cast<double>(scheme.quotient.count()) * limbs(claim.upper));
+  for (mpz_class& c : scheme.quotient.coefficients) c *= claim.upper.get_den();
+  for (mpz_class& c : scheme.denominator.coefficients) c *= claim.upper.get_num();
+  budget.work(norm_work(scheme, level));
+  prove_norm(scheme, level);
+  prove_radius_at_least(family, proof.at("word"), claim.lower, budget);
+}
+
 struct ExponentClaim {
   Region region;
   mpq_class lower;
@@ -145,7 +158,11 @@ std::string check_hoelder_exponent(const Json& json, Budget& budget) {
     if (restrict_to_leaf(scheme, k, claim.region, budget).has_factor)
       throw Rejected{"factor", "an upper bound needs the greatest k such that sigma^k divides the symbol"};
   }
-  prove_radius(sections(local, budget), radius, proof.at("radius"), budget);
+  const Json& radius_proof = proof.at("radius");
+  if (radius_proof.is_object() && radius_proof.contains("level"))
+    prove_radius_by_norm(local, sections(local, budget), radius, radius_proof, budget);
+  else
+    prove_radius(sections(local, budget), radius, radius_proof, budget);
 
   if (claim.lower <= 0) throw Rejected{"exponent", "the lower bound is not positive"};
   const auto exponent = [&](const mpq_class& bound) { return mpz_class((k - 1) * bound.get_den() - bound.get_num()); };

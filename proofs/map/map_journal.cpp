@@ -4,6 +4,7 @@
 #include "proofs/certificate.hpp"
 #include "proofs/certificate_text_impl.hpp"
 #include "proofs/checker/checker.hpp"
+#include "proofs/number_json_impl.hpp"
 #include "schemes/nonuniform/normalized_rule.hpp"
 
 #include <fcntl.h>
@@ -18,12 +19,6 @@ namespace limes {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json region_to_json(const Box& region, const VariableNames& names) {
-  Json json = Json::object();
-  for (std::size_t k = 0; k < names.size(); ++k) json[names[k]] = to_string(region[k]);
-  return json;
-}
 
 Box region_from_json(const Json& json, const VariableNames& names) {
   Box region;

@@ -232,7 +232,9 @@ class MapSearch {
     const Interval& interval = cell[axis];
     const Seems middle = votes[0];
     if (middle == Seems::smooth && votes[1] != Seems::rough && votes[2] != Seems::rough) {
-      // A critical end does not belong to the smooth range: the cell is open there, and the end a cell of its own.
+      // At a critical end the uniform scheme is not smooth; a non-uniform one may be, if all knot ratios but the limit 0 are uncritical.
+      // Otherwise the cell is open there, and the end a cell of its own.
+      if (scheme_.insertion_rule && (votes[1] == Seems::critical || votes[2] == Seems::critical) && prove_cell(cell, false, record)) return record;
       Box open = cell;
       if (votes[1] == Seems::critical) open[axis].lower_open = true;
       if (votes[2] == Seems::critical) open[axis].upper_open = true;
@@ -243,6 +245,10 @@ class MapSearch {
       }
     } else if (middle != Seems::smooth && votes[1] != Seems::smooth && votes[2] != Seems::smooth) {
       if (prove_cell(cell, true, record)) return record;
+      if (const std::optional<Rational> value = cut_beside_critical_end(interval, votes)) {
+        cut_interval(cell, {*value}, record);
+        return record;
+      }
     } else if (middle != Seems::critical) {
       for (const std::size_t end : {1, 2}) {
         if (votes[end] != middle && votes[end] != Seems::critical) {
@@ -281,7 +287,7 @@ class MapSearch {
     if (denominator(point[axis]) <= short_denominator && seems_at(point) == Seems::critical && is_inside(interval, point[axis])) {
       return {point[axis]};
     }
-    const Rational margin = options_.tolerance / 64;
+    const Rational margin = options_.tolerance / 8;
     std::vector<Rational> cuts;
     for (const Rational& cut : {simplest_between(crossing - 2 * margin, crossing - margin),
                                 simplest_between(crossing + margin, crossing + 2 * margin)}) {
@@ -289,6 +295,16 @@ class MapSearch {
     }
     if (cuts.empty()) cuts.push_back(middle_of(interval));
     return cuts;
+  }
+
+  /// A value close to the one critical end of a rough cell: whatever is refuted there ends before it.
+  std::optional<Rational> cut_beside_critical_end(const Interval& interval, const std::vector<Seems>& votes) const {
+    const bool at_lower = votes[1] == Seems::critical;
+    if (votes[0] != Seems::rough || at_lower == (votes[2] == Seems::critical)) return std::nullopt;
+    const Rational margin = options_.tolerance / 8, distance = interval.width() / 2;
+    if (distance <= 2 * margin) return std::nullopt;
+    const Rational near = at_lower ? interval.lower + margin : interval.upper - 2 * margin;
+    return simplest_between(near, near + margin);
   }
 
   static bool is_inside(const Interval& interval, const Rational& x) { return interval.lower < x && x < interval.upper; }

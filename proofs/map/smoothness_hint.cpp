@@ -20,8 +20,28 @@ constexpr std::size_t worst_count = 6;
 std::vector<Rational> sample_ratios() {
   std::vector<Rational> ratios;
   for (int k = 1; k <= 16; ++k) ratios.push_back(Rational(k) / 16);
-  for (int k = 5; k <= 40; k += k < 12 ? 1 : 4) ratios.push_back(power(Rational(2), -k));
+  for (int k = 5; k <= 24; k += k < 12 ? 1 : 4) ratios.push_back(power(Rational(2), -k));
   return ratios;
+}
+
+/// The factors as gamma tends to 0, without those roots +-rho that they have there for all parameter values: how such roots move for
+/// small gamma the ratios above show.
+std::vector<LambdaPolynomial> limits_at_zero(const SplitCharacteristicPolynomial& split) {
+  std::vector<LambdaPolynomial> limits;
+  const Rational rho = power(Rational(2), -split.smoothness);
+  for (const auto* factors : {&split.ell, &split.r}) {
+    for (const CharacteristicFactor& factor : *factors) {
+      const int variables = factor.polynomial.variables();
+      LambdaPolynomial limit = factor.polynomial.substitute(variables - 1, 0);
+      if (limit.degree() < factor.polynomial.degree()) continue;
+      const auto one = MultivariatePolynomial::constant(variables, 1);
+      for (const Rational& root : {rho, Rational(-rho)}) {
+        while (const auto quotient = exact_quotient(limit, LambdaPolynomial::linear(one, root * one))) limit = *quotient;
+      }
+      if (limit.degree() > 0) limits.push_back(std::move(limit));
+    }
+  }
+  return limits;
 }
 
 }  // namespace
@@ -31,6 +51,7 @@ SmoothnessHint::SmoothnessHint(const Scheme& scheme, int m, const Stop& stop) : 
   if (!scheme.insertion_rule) return;
   split_ = split_characteristic_polynomial(SubdivisionMatrix::from_stencils(isolated_ratio_stencils(*scheme.insertion_rule, {})), m,
                                            stop);
+  limits_at_zero_ = limits_at_zero(*split_);
 }
 
 double SmoothnessHint::approx_growth(const std::vector<Rational>& point) const {
@@ -118,6 +139,11 @@ double SmoothnessHint::growth_at_ratios(const std::vector<Rational>& point) cons
         if (!f.is_zero()) growth = std::max(growth, approx_greatest_root(f));
       }
     }
+  }
+  with_ratio.back() = 0;
+  for (const LambdaPolynomial& limit : limits_at_zero_) {
+    const Polynomial f = limit.at(with_ratio);
+    if (f.degree() == limit.degree()) growth = std::max(growth, approx_greatest_root(f));
   }
   return std::ldexp(growth, m_);
 }

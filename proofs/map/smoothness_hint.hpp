@@ -14,8 +14,8 @@ class SmoothnessHint {
   SmoothnessHint(const Scheme& scheme, int m, const Stop& stop);
 
   /// Below 1 where the scheme seems to be C^m, above where not, and 1 (up to rounding) between: the growth of the differences along
-  /// the worst short word of sections, for a non-uniform scheme also the greatest eigenvalue at an isolated knot ratio that should be
-  /// below 2^{-m}, times 2^m; infinite where a factor of the symbol is missing.
+  /// the worst short word of sections, for a non-uniform scheme also the greatest eigenvalue at an isolated knot ratio (or in the limit
+  /// of small ones) that should be below 2^{-m}, times 2^m; infinite where a factor of the symbol is missing.
   double approx_growth(const std::vector<Rational>& point) const;
 
   /// A parameter value between two points at which approx_growth() crosses 1, on the line between them, to about 1e-14 of it: the
@@ -36,6 +36,7 @@ class SmoothnessHint {
   const Stop& stop_;
   std::optional<FiniteSections> sections_;
   std::optional<SplitCharacteristicPolynomial> split_;
+  std::vector<LambdaPolynomial> limits_at_zero_;
 };
 
 }  // namespace limes

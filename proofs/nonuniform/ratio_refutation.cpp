@@ -1,6 +1,7 @@
 // Theorem N3: a knot ratio whose eigenvalues are not those of a C^m scheme.
 
 #include "algebra/polynomial/bernstein_form.hpp"
+#include "algebra/polynomial/schur_cohn.hpp"
 #include "analysis/nonuniform/dominance_test.hpp"
 #include "analysis/nonuniform/expanding_eigenvalue.hpp"
 #include "analysis/nonuniform/isolated_ratio.hpp"
@@ -25,14 +26,28 @@ struct RatioTest {
   bool has_determinant = false;
 
   bool has_guards(const Box& box) const {
-    return std::all_of(guards.begin(), guards.end(), [&](const MultivariatePolynomial& guard) {
+    return !guards.empty() && std::all_of(guards.begin(), guards.end(), [&](const MultivariatePolynomial& guard) {
       return BernsteinForm(guard, box).strict_sign_off_open_faces() != 0;
     });
   }
-  bool refutes(const Box& box, const std::vector<Rational>& inside) const {
-    if (guards.empty() || !has_guards(box) || guards.front()(inside) <= 0) return false;
-    return std::any_of(values.begin(), values.end(), [&](const MultivariatePolynomial& value) {
-      return value(inside) <= 0 && BernsteinForm(value, box).upper() <= 0;
+  /// Whether one of `values` is <= 0 on the box. \param points of its closure: exact numbers are cheaper than polynomials
+  bool refutes(const Box& box, const std::vector<std::vector<Rational>>& points) const {
+    if (guards.empty() || guards.front()(points.front()) <= 0) return false;
+    std::optional<bool> guarded;
+    for (const MultivariatePolynomial& value : values) {
+      if (std::any_of(points.begin(), points.end(), [&](const auto& point) { return value(point) > 0; })) continue;
+      if (BernsteinForm(value, box).upper() > 0) continue;
+      if (!guarded) guarded = has_guards(box);
+      if (*guarded) return true;
+    }
+    return false;
+  }
+  /// Whether at each of the points some root has modulus >= 2^{-m}.
+  bool may_refute_by_pairs(const std::vector<std::vector<Rational>>& points, int m) const {
+    if (guards.empty() || rest.degree() < 2) return false;
+    return std::all_of(points.begin(), points.end(), [&](const auto& point) {
+      const Polynomial at = rest.at(point);
+      return at.degree() == rest.degree() && !roots_inside_circle(at, power(Rational(2), -m));
     });
   }
   void add_determinant(int m) {
@@ -77,9 +92,15 @@ RatioTest make_test(const LambdaPolynomial& chi, int m, const Box& region, const
 
 class RegionRefutation {
  public:
-  RegionRefutation(const LambdaPolynomial& chi, int m, const Box& region, std::vector<Box> pieces,
+  /// \param symmetric the eigenvalues for 1/gamma are those for gamma
+  RegionRefutation(const LambdaPolynomial& chi, int m, const Box& region, std::vector<Box> pieces, bool symmetric,
                    const std::optional<Rational>& first)
       : chi_(chi), m_(m), region_(region), ratios_(candidate_ratios()), waiting_(std::move(pieces)) {
+    // The claim may fail for very small or very large ratios only.
+    for (int k = 16; k <= 40; k += 4) {
+      for (const int sign : {-1, 1}) ratios_.push_back(power(Rational(2), sign * k));
+    }
+    if (symmetric) std::erase_if(ratios_, [](const Rational& gamma) { return gamma > 1; });
     if (first) ratios_.insert(ratios_.begin(), *first);
   }
 
@@ -125,13 +146,32 @@ class RegionRefutation {
     for (const Rational& x : point) box.push_back(Interval::point(x));
     return box;
   }
+  /// The middle first, then the corners of the closure.
+  static std::vector<std::vector<Rational>> points_of(const Box& box) {
+    std::vector<std::vector<Rational>> points{midpoint(box)};
+    if (is_point(box) || box.size() > 4) return points;
+    for (unsigned corner = 0; corner < 1u << box.size(); ++corner) {
+      std::vector<Rational> point;
+      for (std::size_t k = 0; k < box.size(); ++k) point.push_back((corner >> k & 1u) != 0 ? box[k].upper : box[k].lower);
+      if (std::find(points.begin(), points.end(), point) == points.end()) points.push_back(std::move(point));
+    }
+    return points;
+  }
   std::optional<Rational> ratio_for(const Box& box) {
+    constexpr int max_determinants = 3;
+    int determinants = 0;
     for (const bool pairs : {false, true}) {
       for (std::size_t k = 0; k < ratios_.size(); ++k) {
         RatioTest& candidate = test(k);
-        if (pairs) candidate.add_determinant(m_);
         const Box whole = with_ratio(box, ratios_[k]);
-        if (candidate.refutes(whole, midpoint(whole))) return ratios_[k];
+        const std::vector<std::vector<Rational>> points = points_of(whole);
+        if (pairs) {
+          if (determinants == max_determinants) return std::nullopt;
+          if (!candidate.may_refute_by_pairs(points, m_)) continue;
+          ++determinants;
+          candidate.add_determinant(m_);
+        }
+        if (candidate.refutes(whole, points)) return ratios_[k];
       }
     }
     return std::nullopt;
@@ -149,9 +189,11 @@ class RegionRefutation {
 
 ProofAttempt refute_by_ratio(const InsertionRule& rule, int m, const Box& region, const std::optional<Rational>& first,
                              const ProofLimits& limits, const Stop& stop) {
-  const LambdaPolynomial chi =
-      characteristic_polynomial(SubdivisionMatrix::from_stencils(isolated_ratio_stencils(rule, region)), stop);
-  if (!is_point(region)) return RegionRefutation(chi, m, region, pieces_without_poles(rule, region), first).prove(limits, stop);
+  const std::vector<std::vector<RationalFunction>> stencils = isolated_ratio_stencils(rule, region);
+  const LambdaPolynomial chi = characteristic_polynomial(SubdivisionMatrix::from_stencils(stencils), stop);
+  if (!is_point(region)) {
+    return RegionRefutation(chi, m, region, pieces_without_poles(rule, region), is_mirror_symmetric(stencils), first).prove(limits, stop);
+  }
   ProofAttempt attempt;
   std::optional<ExpandingEigenvalue> found;
   if (first) {

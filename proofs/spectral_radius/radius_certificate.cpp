@@ -3,6 +3,7 @@
 #include "algebra/error.hpp"
 #include "proofs/checker/checker.hpp"
 #include "proofs/mask_json_impl.hpp"
+#include "proofs/number_json_impl.hpp"
 #include "proofs/spectral_radius/norm_json_impl.hpp"
 
 #include <fmt/format.h>
@@ -11,12 +12,6 @@ namespace limes {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numbers_to_json(const std::vector<Rational>& numbers) {
-  Json json = Json::array();
-  for (const Rational& x : numbers) json.push_back(to_string(x));
-  return json;
-}
 
 Json exact_polytope_to_json(const ExactPolytope& exact) {
   Json starts = Json::array(), tree = Json::array(), images = Json::array();
@@ -91,7 +86,7 @@ std::string prove_hoelder_exponent(const Scheme& scheme, std::span<const Rationa
   Json proof{{"order", exponent.order},
              {"radius_lower", to_string(exponent.radius.lower)},
              {"radius_upper", to_string(exponent.radius.upper)},
-             {"radius", radius_proof_to_json(exponent.radius)}};
+             {"radius", exponent.level ? Json{{"word", exponent.radius.word}, {"level", *exponent.level}} : radius_proof_to_json(exponent.radius)}};
   if (exponent.bounds.upper) {
     claim["upper"] = to_string(*exponent.bounds.upper);
     if (exponent.radius.exact) claim["polynomial"] = numbers_to_json(exponent.radius.exact->polynomial.coefficients());

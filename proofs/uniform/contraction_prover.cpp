@@ -13,6 +13,8 @@ namespace limes {
 namespace {
 
 constexpr double enough = 1 - 1e-10;
+/// What is nearer to 1 counts as 1.
+constexpr double least_gap = 1e-9;
 
 double approx_radius(const MatrixFamily& family, const Stop& stop) {
   return approx_leading_words(family, {10, 40}, 1e-9, stop).front().radius;
@@ -44,7 +46,7 @@ ContractionProver::Attempt ContractionProver::attempt(const Box& box) const {
   if (std::optional<PolytopeWitness> polytope = find_polytope_on(box)) return {std::move(*polytope), {}, {}};
   if (level && !cheap && proves_norm(*level, box)) return {ContractionWitness{*level}, {}, {}};
   for (const std::vector<Rational>& point : resisting) {
-    if (is_point(box) || !find_polytope_on(point_box(point))) {
+    if (is_point(box) || !has_polytope_at(point)) {
       return {{}, fmt::format("no norm ||S_b^l|| with l <= {} and no polytope with at most {} vectors is found to show a contraction",
                               limits_.contractivity.max_level, limits_.polytope.max_vectors), point};
     }
@@ -52,8 +54,50 @@ ContractionProver::Attempt ContractionProver::attempt(const Box& box) const {
   return {{}, level ? fmt::format("the bound of ||S_b^{}|| is not below 1", *level) : "no polytope is found", {}};
 }
 
-/// The least level at which the norm at the point seems to be below 1; nothing when no level within the limits does.
+std::optional<ContractionProver::Gaps> ContractionProver::approx_gaps(const Box& box) const {
+  int axis = -1;
+  for (std::size_t k = 0; k < box.size(); ++k) {
+    if (box[k].is_point()) continue;
+    if (axis >= 0) return std::nullopt;
+    axis = static_cast<int>(k);
+  }
+  if (axis < 0) return std::nullopt;
+  const auto gap = [&](const Rational& end) -> std::optional<double> {
+    std::vector<Rational> point = midpoint(box);
+    point[static_cast<std::size_t>(axis)] = end;
+    const std::optional<MatrixFamily> sections = section_hull(b_, denominator_, arity_, point_box(point));
+    if (!sections || sections->front().rows() > limits_.max_polytope_dimension) return std::nullopt;
+    return 1 - approx_radius(*sections, stop_);
+  };
+  const std::optional<double> lower = gap(box[static_cast<std::size_t>(axis)].lower);
+  const std::optional<double> upper = gap(box[static_cast<std::size_t>(axis)].upper);
+  if (!lower || !upper) return std::nullopt;
+  return Gaps{*lower, *upper};
+}
+
+Rational ContractionProver::cut(const Box& box, int axis) const {
+  const Interval& interval = box[static_cast<std::size_t>(axis)];
+  const std::optional<Gaps> gaps = approx_gaps(box);
+  if (!gaps || gaps->lower <= least_gap || gaps->upper <= least_gap) return interval.midpoint();
+  // If the gap is affine, it is the geometric mean of those at the ends here.
+  const double fraction = std::sqrt(gaps->lower) / (std::sqrt(gaps->lower) + std::sqrt(gaps->upper));
+  const double slack = std::min(fraction, 1 - fraction) / 8;
+  if (!(slack > 1e-6)) return interval.midpoint();
+  return simplest_between(interval.lower + Rational(fraction - slack) * interval.width(),
+                          interval.lower + Rational(fraction + slack) * interval.width());
+}
+
 std::optional<int> ContractionProver::approx_level(const std::vector<Rational>& point) const {
+  const auto place = levels_.find(point);
+  return place != levels_.end() ? place->second : levels_.emplace(point, new_approx_level(point)).first->second;
+}
+
+bool ContractionProver::has_polytope_at(const std::vector<Rational>& point) const {
+  const auto place = has_polytope_.find(point);
+  return place != has_polytope_.end() ? place->second : has_polytope_.emplace(point, find_polytope_on(point_box(point)).has_value()).first->second;
+}
+
+std::optional<int> ContractionProver::new_approx_level(const std::vector<Rational>& point) const {
   const std::vector<double> norms = approx_contractivity_norms(b_, arity_, point, limits_.contractivity.max_level, enough);
   if (norms.back() >= enough) return std::nullopt;
   return static_cast<int>(norms.size());
@@ -76,13 +120,23 @@ bool ContractionProver::proves_norm(int level, const Box& box) const {
 
 std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& box) const {
   const std::optional<MatrixFamily> sections = section_hull(b_, denominator_, arity_, box);
-  constexpr int bits = 20;
-  static const Rational bound = 1 - power(Rational(2), -bits);
-  if (!sections || sections->front().rows() > limits_.max_polytope_dimension ||
-      approx_radius(*sections, stop_) >= 1 - std::ldexp(1, -bits)) {
-    return std::nullopt;
+  if (!sections || sections->front().rows() > limits_.max_polytope_dimension) return std::nullopt;
+  const double gap = 1 - approx_radius(*sections, stop_);
+  PolytopeLimits limits = limits_.polytope;
+  int bits = 20;
+  if (gap <= std::ldexp(1, 1 - bits)) {
+    bits = 27;
+    limits.precision = std::max(limits.precision, 60);
   }
-  std::optional<PolytopeNorm> norm = find_polytope(*sections, bound, limits_.polytope, stop_);
+  if (gap <= std::ldexp(1, -bits)) return std::nullopt;
+  // The more the gap varies, the more vectors are needed, each dearer than the one before: smaller boxes cost less.
+  constexpr double greatest_quotient = 1.5;
+  constexpr std::size_t few_vectors = 250;
+  if (const std::optional<Gaps> gaps = approx_gaps(box);
+      gaps && std::max(gaps->lower, gaps->upper) > greatest_quotient * std::min(gaps->lower, gaps->upper)) {
+    limits.max_vectors = std::min(limits.max_vectors, few_vectors);
+  }
+  std::optional<PolytopeNorm> norm = find_polytope(*sections, 1 - power(Rational(2), -bits), limits, stop_);
   if (!norm) return std::nullopt;
   return PolytopeWitness{std::move(*norm)};
 }

@@ -5,6 +5,7 @@
 #include "proofs/certificate.hpp"
 #include "proofs/proof_limits.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -28,17 +29,33 @@ class ContractionProver {
   };
   Attempt attempt(const Box& box) const;
 
+  /// Where to cut a box on which there is no proof, strictly inside: in the middle, or nearer to an end at which the difference scheme
+  /// hardly contracts, so that the least gap 1 - JSR falls by equal factors over the two halves: leaves may be longer far from the
+  /// boundary of the contractive range.
+  Rational cut(const Box& box, int axis) const;
+
  private:
+  /// The least level at which the norm at the point seems to be below 1; nothing when no level within the limits does.
   std::optional<int> approx_level(const std::vector<Rational>& point) const;
+  std::optional<int> new_approx_level(const std::vector<Rational>& point) const;
+  bool has_polytope_at(const std::vector<Rational>& point) const;
   bool proves_norm(int level, const Box& box) const;
   std::optional<PolytopeWitness> find_polytope_on(const Box& box) const;
   bool is_cheap(int level, const Box& box) const;
+  struct Gaps {
+    double lower, upper;
+  };
+  /// 1 - JSR at the ends of the one axis of the box that is no point, floating; nothing when there are more or the scheme is undefined there.
+  std::optional<Gaps> approx_gaps(const Box& box) const;
 
   const LaurentPolynomial& b_;
   const MultivariatePolynomial& denominator_;
   int arity_;
   const ProofLimits& limits_;
   const Stop& stop_;
+  /// What was found out at points: boxes have corners in common.
+  mutable std::map<std::vector<Rational>, std::optional<int>> levels_;
+  mutable std::map<std::vector<Rational>, bool> has_polytope_;
 };
 
 }  // namespace limes

@@ -144,13 +144,13 @@ class RegionProver {
     });
   }
 
-  /// A word whose product has an eigenvalue >= 1 or <= -1 on the whole box.
+  /// A word whose product has, on the whole box, an eigenvalue >= 1 or <= -1, or a complex pair outside of the circle.
   std::optional<std::vector<int>> expanding_word(const Box& box, const std::vector<Rational>& center) {
-    any_hint_ = false;
+    const std::vector<WordHint> hints =
+        approx_expanding_words(*sections_, center, limits_.max_word_length, hint_threshold, limits_.max_words / 8, stop_);
+    any_hint_ = !hints.empty();
     int tested = 0;
-    for (const WordHint& hint :
-         approx_expanding_words(*sections_, center, limits_.max_word_length, hint_threshold, limits_.max_words / 8, stop_)) {
-      any_hint_ = true;
+    for (const WordHint& hint : hints) {
       if (++tested > limits_.max_exact_words) break;
       if (!may_be_non_positive(hint.word, box)) continue;
       auto place = signs_.find(hint.word);
@@ -159,7 +159,22 @@ class RegionProver {
         return hint.word;
       }
     }
+    constexpr int max_determinants = 2, max_letters = 40;
+    int determinants = 0;
+    for (const WordHint& hint : hints) {
+      if (static_cast<int>(hint.word.size()) * sections_->size() > max_letters || !expands_at_samples(hint.word, box)) continue;
+      if (++determinants > max_determinants) break;
+      stop_.check();
+      auto place = determinants_.find(hint.word);
+      if (place == determinants_.end()) place = determinants_.emplace(hint.word, expansion_determinant(*sections_, hint.word)).first;
+      if (BernsteinForm(place->second, box).upper() <= 0) return hint.word;
+    }
     return std::nullopt;
+  }
+
+  bool expands_at_samples(const std::vector<int>& word, const Box& box) const {
+    const std::vector<std::vector<Rational>> points = sample_points(box);
+    return std::all_of(points.begin(), points.end(), [&](const auto& point) { return exact_expands(*sections_, word, point); });
   }
 
   /// Whether one of the signs is <= 0 at all sample points: numbers are cheaper than polynomials in the parameters.
@@ -195,6 +210,7 @@ class RegionProver {
   /// On the leaf at hand.
   int denominator_sign_ = 1;
   std::map<std::vector<int>, ExpansionSigns> signs_;
+  std::map<std::vector<int>, MultivariatePolynomial> determinants_;
   bool any_hint_ = false;
 };
 

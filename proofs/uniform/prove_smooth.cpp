@@ -79,7 +79,10 @@ ProofAttempt prove_smooth(const Mask& mask, int m, const Box& region, const Proo
     if (static_cast<int>(attempt.leaves.size() + tasks.size()) >= limits.max_leaves) {
       return fail(fmt::format("more than {} leaves would be needed", limits.max_leaves), midpoint(task.box));
     }
-    auto [lower, upper] = bisect(task.box, axis);
+    const Rational value = prover.cut(task.box, axis);
+    Box lower = task.box, upper = task.box;
+    lower[static_cast<std::size_t>(axis)].upper = upper[static_cast<std::size_t>(axis)].lower = value;
+    lower[static_cast<std::size_t>(axis)].upper_open = upper[static_cast<std::size_t>(axis)].lower_open = false;
     tasks.push_back({std::move(upper), task.depth + 1});
     tasks.push_back({std::move(lower), task.depth + 1});
   }

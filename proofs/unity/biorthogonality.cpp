@@ -2,21 +2,14 @@
 
 #include "algebra/error.hpp"
 #include "proofs/checker/checker.hpp"
-
-#include <nlohmann/json.hpp>
+#include "proofs/number_json_impl.hpp"
 
 namespace limes {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json texts(const std::vector<Rational>& numbers) {
-  Json json = Json::array();
-  for (const Rational& x : numbers) json.push_back(to_string(x));
-  return json;
-}
-
-Json texts(const RationalBounds& bounds) { return {to_string(bounds.lower), to_string(bounds.upper)}; }
+Json bounds_to_json(const RationalBounds& bounds) { return {to_string(bounds.lower), to_string(bounds.upper)}; }
 
 }  // namespace
 
@@ -36,20 +29,20 @@ BiorthogonalityProof prove_biorthogonality(const std::string& scheme, const Mask
                            {"parameters", Json::array()},
                            {"arity", mask.arity},
                            {"first_index", mask.symbol.lowest()},
-                           {"mask", texts(mask.symbol.rational_coefficients())}}},
+                           {"mask", numbers_to_json(mask.symbol.rational_coefficients())}}},
                          {"claim",
                           {{"statement", "biorthogonal"},
                            {"filters",
-                            {{"p", texts(bank.p)},
-                             {"a", texts(bank.a)},
-                             {"b", texts(bank.b)},
-                             {"q", texts(bank.q)},
+                            {{"p", numbers_to_json(bank.p)},
+                             {"a", numbers_to_json(bank.a)},
+                             {"b", numbers_to_json(bank.b)},
+                             {"q", numbers_to_json(bank.q)},
                              {"shift", bank.shift}}},
                            {"squares",
-                            {{"orthogonality_error", texts(squared_bounds)},
-                             {"sigma_min_p", texts(sigma.bounds)},
-                             {"norm_a", texts(a.bounds)},
-                             {"norm_b", texts(b.bounds)}}}}},
+                            {{"orthogonality_error", bounds_to_json(squared_bounds)},
+                             {"sigma_min_p", bounds_to_json(sigma.bounds)},
+                             {"norm_a", bounds_to_json(a.bounds)},
+                             {"norm_b", bounds_to_json(b.bounds)}}}}},
                          {"verdict", "certified"},
                          {"theorem", "B1"},
                          {"proof",

@@ -6,9 +6,6 @@
 namespace limes {
 namespace {
 
-bool is_word(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 void add_plain(RichText& text, std::string_view characters) {
   if (characters.empty()) return;
   if (!text.empty() && text.back().kind == Span::Kind::plain) {
@@ -73,51 +70,6 @@ RichText rich(std::string_view markup) {
   return text;
 }
 
-RichText prose(std::string_view given) {
-  RichText text;
-  for (std::size_t k = 0; k < given.size();) {
-    const bool starts = k == 0 || !is_word(given[k - 1]);
-    if (starts && given[k] == 'C' && k + 1 < given.size() && is_digit(given[k + 1])) {
-      std::size_t end = k + 1;
-      while (end < given.size() && is_digit(given[end])) ++end;
-      if (end == given.size() || !is_word(given[end])) {
-        text.push_back({Span::Kind::mathematics, "C^{" + std::string(given.substr(k + 1, end - k - 1)) + "}"});
-        k = end;
-        continue;
-      }
-    }
-    // name^number, name^-number
-    if (starts && is_word(given[k])) {
-      std::size_t end = k;
-      while (end < given.size() && is_word(given[end])) ++end;
-      std::size_t last = end + 1;
-      if (last < given.size() && given[last] == '-') ++last;
-      const std::size_t digits = last;
-      while (last < given.size() && is_digit(given[last])) ++last;
-      if (end < given.size() && given[end] == '^' && last > digits) {
-        std::string base(given.substr(k, end - k));
-        for (const char* greek : {"sigma", "lambda", "gamma", "mu"}) {
-          if (base == greek) base = "\\" + base;
-        }
-        text.push_back({Span::Kind::mathematics, base + "^{" + std::string(given.substr(end + 1, last - end - 1)) + "}"});
-        k = last;
-        continue;
-      }
-      add_plain(text, given.substr(k, end - k));
-      k = end;
-      continue;
-    }
-    if (given.substr(k).starts_with(">=") || given.substr(k).starts_with("<=")) {
-      text.push_back({Span::Kind::mathematics, given[k] == '>' ? "\\ge" : "\\le"});
-      k += 2;
-      continue;
-    }
-    add_plain(text, given.substr(k, 1));
-    ++k;
-  }
-  return text;
-}
-
 RichText mathematics(const std::string& latex) { return {{Span::Kind::mathematics, latex}}; }
 RichText code(const std::string& text) { return {{Span::Kind::code, text}}; }
 
@@ -137,9 +89,11 @@ double estimated_width(const std::string& latex) {
       }
       return end + 1;
     };
-    if (latex.compare(k, 6, "\\frac{") == 0) {
-      const std::size_t above = braced(k + 5), below = braced(above);
-      width += std::max(estimated_width(latex.substr(k + 6, above - k - 7)), estimated_width(latex.substr(above + 1, below - above - 2))) + 0.5;
+    const bool small = latex.compare(k, 7, "\\tfrac{") == 0;
+    if (small || latex.compare(k, 6, "\\frac{") == 0) {
+      const std::size_t start = k + (small ? 7 : 6), above = braced(start - 1), below = braced(above);
+      const double widest = std::max(estimated_width(latex.substr(start, above - start - 1)), estimated_width(latex.substr(above + 1, below - above - 2)));
+      width += (small ? 0.7 : 1) * widest + 0.5;
       k = below;
     } else if (latex[k] == '^' || latex[k] == '_') {
       const std::size_t end = k + 1 < latex.size() && latex[k + 1] == '{' ? braced(k + 1) : k + 2;

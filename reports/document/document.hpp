@@ -24,7 +24,8 @@ using RichText = std::vector<Span>;
 
 /// Our own words: "$..$" is mathematics, "`..`" code, "*..*" emphasis, "[@Key]" a citation, "[text](#label)" a reference.
 RichText rich(std::string_view markup);
-/// Words of others (scheme files, reasons): printed as they are, but "C2" and "w^3" are mathematics.
+/// Words of others (scheme files, reasons): printed as they are, but what looks like a formula is one: "C2", "w* = 0.19272...",
+/// "32 w^3 + 4 w - 1", "1/32", names of Greek letters.
 RichText prose(std::string_view text);
 RichText mathematics(const std::string& latex);
 RichText code(const std::string& text);

@@ -43,8 +43,9 @@ constexpr std::string_view preamble = R"(\documentclass[a4paper,11pt]{article}
 \usepackage{booktabs,longtable,array}
 \usepackage{microtype}
 \usepackage{pgfplots}
-% limesplot{name}{page}: from figures.pdf when it was made before (it saves time), else from figures/name.pgf.
-\newcommand{\limesplot}[2]{\IfFileExists{figures.pdf}{\includegraphics[page=#2]{figures.pdf}}{\input{figures/#1.pgf}}}
+\usepackage{fancyhdr}
+% limesplot{name}{page}{depth}: from figures.pdf, which figures.tex makes in seconds, or else drawn by pgfplots from figures/name.pgf.
+\newcommand{\limesplot}[3]{\IfFileExists{figures.pdf}{\raisebox{-#3bp}{\includegraphics[page=#2]{figures.pdf}}}{\input{figures/#1.pgf}}}
 )";
 
 constexpr std::string_view plot_style = R"(\pgfplotsset{compat=1.16,
@@ -53,8 +54,17 @@ constexpr std::string_view plot_style = R"(\pgfplotsset{compat=1.16,
   legend style={draw=none, font=\footnotesize}}
 )";
 
-constexpr std::string_view preamble_end = R"(\usepackage[hidelinks]{hyperref}
+constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,110}
+\usepackage[colorlinks,allcolors=limeslink]{hyperref}
 \hypersetup{pdfproducer={Limes}, pdfcreator={Limes}}
+\pagestyle{fancy}
+\fancyhf{}
+\fancyhead[L]{\small\nouppercase{\leftmark}}
+\fancyhead[R]{\small\thepage}
+\renewcommand{\headrulewidth}{.3pt}
+\fancypagestyle{plain}{\fancyhf{}\fancyfoot[C]{\small\thepage}\renewcommand{\headrulewidth}{0pt}}
+\setlength{\headheight}{14pt}
+\renewcommand{\sectionmark}[1]{\markboth{\thesection\quad #1}{}}
 % Same input, same bytes: no clock and no path in the PDF.
 \ifdefined\pdftrailerid\pdftrailerid{}\pdfinfoomitdate=1 \pdfsuppressptexinfo=15 \fi
 \ifdefined\pdfvariable\pdfvariable suppressoptionalinfo 1023 \fi
@@ -82,18 +92,21 @@ constexpr std::string_view preamble_end = R"(\usepackage[hidelinks]{hyperref}
 \theoremstyle{remark}
 \newtheorem*{remark}{Remark}
 \newtheorem*{erratum}{Erratum}
+% A proposition stays with the beginning of its proof.
+\AddToHook{env/proposition/after}{\nopagebreak}
 )";
 
 /// What a fragment needs from packages that the article may not have.
 constexpr std::string_view fragment_start = R"(% A proof by Limes, to be \input into an article after \begin{document}. It needs no package.
 \begingroup
 \providecommand{\toprule}{\hline}\providecommand{\midrule}{\hline}\providecommand{\bottomrule}{\hline}
+\providecommand{\tfrac}[2]{{\textstyle\frac{#1}{#2}}}\providecommand{\lVert}{\|}\providecommand{\rVert}{\|}
 )";
 
-/// Commands of amsmath, amssymb and the T1 encoding in terms of LaTeX's own.
+/// Commands of the T1 encoding and letters of UTF-8 in terms of LaTeX's own.
 std::string without_packages(std::string text) {
   static const std::pair<std::string_view, std::string_view> substitutes[] = {
-      {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\tfrac", "\\frac"}, {"\\textquotedbl{}", "\\symbol{34}"}, {"\u0119", "\\c{e}"}, {"\u2026", "\\dots{}"}};
+      {"\\textquotedbl{}", "\\symbol{34}"}, {"\u0119", "\\c{e}"}, {"\u2026", "\\dots{}"}};
   for (const auto& [command, substitute] : substitutes) {
     for (std::size_t at = 0; (at = text.find(command, at)) != std::string::npos; at += substitute.size()) text.replace(at, command.size(), substitute);
   }
@@ -121,7 +134,7 @@ class LatexWriter {
     for (const std::string& line : {inline_text(document_.subtitle), escaped(options_.date)}) {
       if (!line.empty()) text_ += fmt::format("\\medskip\n{}\\par\n", line);
     }
-    text_ += "\\end{center}\n\\tableofcontents\n\n";
+    text_ += "\\end{center}\n\\thispagestyle{plain}\n\\tableofcontents\n\n";
     blocks(document_.blocks);
     bibliography();
     return text_ + "\\end{document}\n";
@@ -130,13 +143,23 @@ class LatexWriter {
  private:
   std::string inline_text(const RichText& text) const {
     std::string result;
-    for (const Span& span : text) {
+    for (std::size_t k = 0; k < text.size(); ++k) {
+      const Span& span = text[k];
       switch (span.kind) {
         case Span::Kind::plain: result += escaped(span.text); break;
         case Span::Kind::mathematics: result += "$" + span.text + "$"; break;
         case Span::Kind::code: result += "\\texttt{" + escaped_code(span.text) + "}"; break;
         case Span::Kind::emphasis: result += "\\emph{" + escaped(span.text) + "}"; break;
-        case Span::Kind::citation: result += citation(span.text); break;
+        case Span::Kind::citation: {
+          // Citations in a row, with commas between them, are one.
+          std::vector<std::string> keys{span.text};
+          while (k + 2 < text.size() && text[k + 1].kind == Span::Kind::plain && text[k + 1].text == ", " && text[k + 2].kind == Span::Kind::citation) {
+            keys.push_back(text[k + 2].text);
+            k += 2;
+          }
+          result += citation(keys);
+          break;
+        }
         case Span::Kind::reference:
           result += options_.fragment ? escaped(span.text) : fmt::format("\\hyperref[{}]{{{}}}", span.target, escaped(span.text));
       }
@@ -162,10 +185,14 @@ class LatexWriter {
     return result;
   }
 
-  std::string citation(const std::string& key) const {
-    const auto reference = references_.find(key);
-    if (options_.fragment) return "[" + escaped(reference == references_.end() ? key : reference->second.short_name) + "]";
-    return fmt::format("\\cite{{{}}}", key);
+  std::string citation(const std::vector<std::string>& keys) const {
+    if (!options_.fragment) return fmt::format("\\cite{{{}}}", fmt::join(keys, ","));
+    std::vector<std::string> names;
+    for (const std::string& key : keys) {
+      const auto reference = references_.find(key);
+      names.push_back(escaped(reference == references_.end() ? key : reference->second.short_name));
+    }
+    return fmt::format("[{}]", fmt::join(names, "; "));
   }
 
   void label(const std::string& name) {
@@ -252,7 +279,7 @@ class LatexWriter {
     if (options_.fragment) return;
     text_ += "\\begin{figure}[!htbp]\n\\centering\n";
     for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-      text_ += fmt::format("{}\\limesplot{{{}-{}}}{{{}}}", k > 0 ? "\\hfill\n" : "", figure.name, k + 1, ++plots_);
+      text_ += fmt::format("{}\\limesplot{{{}-{}}}{{{}}}{{{:.2f}}}", k > 0 ? "\\hfill\n" : "", figure.name, k + 1, ++plots_, depth_below_area(figure.panels[k].plot));
     }
     text_ += fmt::format("\n\\caption{{{}}}\n\\end{{figure}}\n\n", inline_text(figure.caption));
   }
@@ -327,16 +354,33 @@ class LatexWriter {
 }  // namespace
 
 std::string figures_latex(const Document& document) {
-  std::string text =
-      "% All plots, one a page, so that report.tex need not draw them again at each run.\n\\documentclass[11pt]{article}\n\\usepackage[T1]{fontenc}\n"
-      "\\usepackage[utf8]{inputenc}\n\\usepackage{textcomp,lmodern,amsmath}\n\\usepackage{pgfplots}\n";
-  text += plot_style;
-  text += "\\ifdefined\\pdftrailerid\\pdftrailerid{}\\pdfinfoomitdate=1 \\pdfsuppressptexinfo=15 \\fi\n"
-          "\\usepackage[active,tightpage]{preview}\n\\begin{document}\n";
+  std::string text(R"(% All plots, one a page: made once, so that report.tex need not draw them at each run.
+\documentclass[11pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{textcomp,lmodern,amsmath,graphicx}
+\ifdefined\pdfpagewidth\else % LuaTeX
+  \let\pdfpagewidth\pagewidth \let\pdfpageheight\pageheight
+  \protected\def\pdfliteral{\pdfextension literal}
+  \edef\pdfhorigin{\pdfvariable horigin}\edef\pdfvorigin{\pdfvariable vorigin}
+\fi
+\ifdefined\pdftrailerid\pdftrailerid{}\pdfinfoomitdate=1 \pdfsuppressptexinfo=15 \fi
+\ifdefined\pdfvariable\pdfvariable suppressoptionalinfo 1023 \fi
+\nofiles
+\begin{document}
+\pdfhorigin=0pt \pdfvorigin=0pt
+% Width and height in PostScript points, operators of PDF, texts.
+\newcommand{\limespage}[4]{\pdfpagewidth=#1bp \pdfpageheight=#2bp
+  \shipout\vbox to #2bp{\offinterlineskip\hbox to #1bp{\footnotesize\vrule width 0pt height #2bp\pdfliteral{#3}#4\hss}\vss}}
+\newcommand{\limestitle}{\small}
+\newcommand{\limesat}[3]{\rlap{\kern#1bp\raise#2bp\hbox{#3}}}
+\newcommand{\limesleft}[3]{\limesat{#1}{#2}{\rlap{#3}}}
+\newcommand{\limesmiddle}[3]{\limesat{#1}{#2}{\hbox to 0pt{\hss#3\hss}}}
+\newcommand{\limesright}[3]{\limesat{#1}{#2}{\llap{#3}}}
+\newcommand{\limesupwards}[3]{\limesat{#1}{#2}{\llap{\rotatebox{90}{\hbox to 0pt{\hss#3\hss}}}}}
+)");
   for (const Figure* figure : figures(document)) {
-    for (std::size_t k = 0; k < figure->panels.size(); ++k) {
-      text += fmt::format("\\begin{{preview}}\\input{{figures/{}-{}.pgf}}\\end{{preview}}\n", figure->name, k + 1);
-    }
+    for (const Figure::Panel& panel : figure->panels) text += to_tex_page(panel.plot);
   }
   return text + "\\end{document}\n";
 }

@@ -64,7 +64,13 @@ void compile(const fs::path& source, const std::string& engine, const Stop& stop
   fs::remove_all(work, ignored);
   const std::vector<std::string> command{"latexmk", "-norc", engine == "lualatex" ? "-lualatex" : "-pdf", "-interaction=nonstopmode", "-halt-on-error", "-file-line-error",
                                          "-outdir=.latex", source.filename().string()};
-  const int status = run(command, directory, stop);
+  int status = 1;
+  try {
+    status = run(command, directory, stop);
+  } catch (...) {
+    fs::remove_all(work, ignored);
+    throw;
+  }
   if (status == 127) throw InputError("latexmk is not installed (Debian: latexmk, texlive-latex-extra, texlive-pictures); --no-pdf writes the LaTeX source only");
   const fs::path log = work / (name.string() + ".log");
   if (status != 0) {
@@ -93,16 +99,19 @@ std::string first_latex_error(const std::string& log) {
 }
 
 void run_latexmk(const fs::path& source, const std::string& engine, const Stop& stop) {
-  const fs::path figures = fs::absolute(source).parent_path() / "figures.tex", drawn = figures.parent_path() / "figures.pdf";
-  std::error_code ignored;
-  if (fs::exists(figures)) compile(figures, engine, stop);
-  try {
-    compile(source, engine, stop);
-  } catch (...) {
-    fs::remove(drawn, ignored);
-    throw;
+  const fs::path figures = fs::absolute(source).parent_path() / "figures.tex";
+  for (const fs::path& file : {figures, source}) {
+    if (file == figures && !fs::exists(figures)) continue;
+    try {
+      compile(file, engine, stop);
+    } catch (const InputError& error) {
+      // LuaTeX takes as much memory as there is.
+      if (engine == "lualatex" || error.reason().find("TeX capacity exceeded") == std::string::npos) throw;
+      std::error_code ignored;
+      fs::remove(fs::path(file).replace_extension(".log"), ignored);
+      compile(file, "lualatex", stop);
+    }
   }
-  fs::remove(drawn, ignored);
 }
 
 }  // namespace limes

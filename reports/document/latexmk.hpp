@@ -7,9 +7,9 @@
 
 namespace limes {
 
-/// Runs latexmk on DIR/report.tex (or another name) and leaves DIR/report.pdf; draws the plots of DIR/figures.tex before, if that exists; everything else that LaTeX writes is removed, except, when it
-/// fails, the log. The environment's SOURCE_DATE_EPOCH is kept; without one it is 0, so that the same source gives the same bytes.
-/// \param engine "pdflatex" or "lualatex"
+/// Runs latexmk on DIR/report.tex (or another name) and leaves DIR/report.pdf; before, if there is DIR/figures.tex, on that, and leaves DIR/figures.pdf; everything else that LaTeX
+/// writes is removed, except, when it fails, the log. The environment's SOURCE_DATE_EPOCH is kept; without one it is 0, so that the same source gives the same bytes.
+/// \param engine "pdflatex" or "lualatex", which also takes over what is too much for the memory of pdflatex
 /// \throws InputError with the log's first error, or when there is no latexmk; Interrupted
 void run_latexmk(const std::filesystem::path& source, const std::string& engine, const Stop& stop);
 

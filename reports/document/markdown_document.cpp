@@ -113,6 +113,10 @@ class MarkdownWriter {
       case Statement::Kind::erratum: text_ += "*Erratum.* "; break;
     }
     blocks(statement.body);
+    if (statement.kind != Statement::Kind::proof || !text_.ends_with("\n\n")) return;
+    const bool words = !text_.ends_with("```\n\n") && !text_.ends_with("|\n\n");
+    if (words) text_.resize(text_.size() - 2);
+    text_ += words ? " ∎\n\n" : "∎\n\n";
   }
 
   const References& references_;

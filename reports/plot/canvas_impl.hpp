@@ -22,12 +22,18 @@ class Canvas {
   virtual void text(PlotPoint at, const std::string& text, double size, TextAlign align, bool upwards) = 0;
 };
 
+/// Sizes of what stands around the area, in points.
+struct PageStyle {
+  double text = 11, title = 13, border = 8, line = 0.75;
+};
+
 /// Size of the whole picture, with title, ticks, labels and legend around the area, and the corner of the area in it.
 struct Page {
   double width = 0, height = 0;
   double left = 0, top = 0;
+  PageStyle style = {};
 };
-Page page(const Plot& plot, const Layout& layout);
+Page page(const Plot& plot, const Layout& layout, const PageStyle& style = {});
 
 void draw(const Plot& plot, const Layout& layout, const Page& page, Canvas& canvas);
 

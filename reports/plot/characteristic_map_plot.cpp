@@ -10,7 +10,8 @@ using Complex = std::complex<double>;
 using Line = std::vector<Complex>;
 
 /// Lines of the half sector r <= a <= 2r, 0 <= b <= a: those with constant a, then those with constant b, the spoke first.
-std::vector<Line> half_sector_lines(const ApproxCharacteristicMap& map, int lines, int level) {
+std::vector<Line> half_sector_lines(const ApproxCharacteristicMap& map, int lines) {
+  constexpr int level = 4;
   const std::vector<Line> samples = map.samples(level);
   const int reach = map.reach() << level, last = 2 * reach;
   const auto place = [&](int k) { return reach * k / lines; };
@@ -30,7 +31,7 @@ std::vector<Line> half_sector_lines(const ApproxCharacteristicMap& map, int line
 Plot characteristic_map_plot(const ApproxCharacteristicMap& map, int valence, const CharacteristicMapPlotOptions& options) {
   Plot plot{.title = options.title, .x = {}, .y = {}, .items = {}, .frame = false, .equal_aspect = true};
   plot.height = plot.width;
-  const std::vector<Line> half = half_sector_lines(map, options.lines, options.level);
+  const std::vector<Line> half = half_sector_lines(map, options.lines);
   const Complex omega = std::polar(1., 2 * std::numbers::pi / valence);
   const Stroke thin{lighter(options.color, 0.8), 0.5, Dash::solid}, thick{palette(0), 1.25, Dash::solid};
   const auto add = [&](const Line& line, const Complex& factor, bool mirrored, const Stroke& stroke) {

@@ -9,8 +9,6 @@ struct CharacteristicMapPlotOptions {
   std::string title;
   /// Self-similar rings around the centre, and lines of the grid across each.
   int rings = 3, lines = 4;
-  /// Points on the lines: 2^level for a cell of the grid.
-  int level = 4;
   Color color = {0x00, 0x72, 0xb2};
 };
 

@@ -6,18 +6,18 @@
 namespace limes::plot_impl {
 namespace {
 
-constexpr double text_size = 11, title_size = 13, tick_length = 4, gap = 4, border = 8, sample_width = 22;
+constexpr double tick_length = 4, gap = 4, sample_width = 22;
 constexpr Color ink{40, 40, 40};
 /// Fonts that may show an SVG are wider than ours.
 constexpr double safety = 1.2;
 
-double widest(const std::vector<Tick>& ticks) {
+double widest(const std::vector<PlotTick>& ticks, double text_size) {
   double width = 0;
-  for (const Tick& tick : ticks) width = std::max(width, text_width(tick.text, text_size));
+  for (const PlotTick& tick : ticks) width = std::max(width, text_width(plain_text(tick.text, false), text_size));
   return safety * width;
 }
 
-double legend_width(const Plot& plot) {
+double legend_width(const Plot& plot, double text_size) {
   double width = 0;
   for (const LegendEntry& entry : legend(plot)) {
     width = std::max(width, sample_width + gap + safety * text_width(plain_text(entry.text, false), text_size));
@@ -66,6 +66,7 @@ class Painter {
     PlotPoint at = place(label.at);
     TextAlign align = TextAlign::middle;
     using Anchor = PlotLabel::Anchor;
+    const double text_size = page_.style.text;
     if (label.anchor == Anchor::left) align = TextAlign::end, at.x -= gap;
     if (label.anchor == Anchor::right) align = TextAlign::start, at.x += gap;
     if (label.anchor == Anchor::above)
@@ -82,16 +83,16 @@ class Painter {
 };
 
 void draw_frame(const Plot& plot, const Layout& layout, const Page& page, Canvas& canvas) {
-  const double right = page.left + layout.width, bottom = page.top + layout.height;
-  const Stroke line{ink, 0.75, Dash::solid};
+  const double right = page.left + layout.width, bottom = page.top + layout.height, text_size = page.style.text;
+  const Stroke line{ink, page.style.line, Dash::solid};
   canvas.polyline({{page.left, page.top}, {right, page.top}, {right, bottom}, {page.left, bottom}}, true, line);
   std::vector<PlotPoint> marks;
-  for (const Tick& tick : layout.x.ticks) {
+  for (const PlotTick& tick : layout.x.ticks) {
     const double x = page.left + layout.width * layout.x.place(tick.value);
     marks.insert(marks.end(), {{x, bottom}, {x, bottom + tick_length}});
     canvas.text({x, bottom + tick_length + gap + 0.7 * text_size}, tick.text, text_size, TextAlign::middle, false);
   }
-  for (const Tick& tick : layout.y.ticks) {
+  for (const PlotTick& tick : layout.y.ticks) {
     const double y = page.top + layout.height * (1 - layout.y.place(tick.value));
     marks.insert(marks.end(), {{page.left - tick_length, y}, {page.left, y}});
     canvas.text({page.left - tick_length - gap, y + 0.35 * text_size}, tick.text, text_size, TextAlign::end, false);
@@ -101,13 +102,13 @@ void draw_frame(const Plot& plot, const Layout& layout, const Page& page, Canvas
   if (!plot.x.label.empty())
     canvas.text({page.left + layout.width / 2, x_label}, plot.x.label, text_size, TextAlign::middle, false);
   if (!plot.y.label.empty()) {
-    canvas.text({border + 0.8 * text_size, page.top + layout.height / 2}, plot.y.label, text_size, TextAlign::middle,
+    canvas.text({page.style.border + 0.8 * text_size, page.top + layout.height / 2}, plot.y.label, text_size, TextAlign::middle,
                 true);
   }
 }
 
 void draw_legend(const Plot& plot, const Layout& layout, const Page& page, Canvas& canvas) {
-  const double left = page.left + layout.width + 3 * gap;
+  const double left = page.left + layout.width + 3 * gap, text_size = page.style.text;
   double y = page.top + text_size;
   for (const LegendEntry& entry : legend(plot)) {
     const std::vector<PlotPoint> sample{{left, y - 0.35 * text_size}, {left + sample_width, y - 0.35 * text_size}};
@@ -127,20 +128,21 @@ void draw_legend(const Plot& plot, const Layout& layout, const Page& page, Canva
 
 }  // namespace
 
-Page page(const Plot& plot, const Layout& layout) {
-  Page result{2 * border + layout.width, 2 * border + layout.height, border, border};
+Page page(const Plot& plot, const Layout& layout, const PageStyle& style) {
+  const double text_size = style.text, title_size = style.title, border = style.border;
+  Page result{2 * border + layout.width, 2 * border + layout.height, border, border, style};
   double right = 0;
   if (plot.frame) {
     const double below = tick_length + gap + text_size + (plot.x.label.empty() ? 0 : gap + text_size);
     const double beside =
-        tick_length + gap + widest(layout.y.ticks) + (plot.y.label.empty() ? 0 : gap + 1.2 * text_size);
+        tick_length + gap + widest(layout.y.ticks, text_size) + (plot.y.label.empty() ? 0 : gap + 1.2 * text_size);
     result.left += beside;
     result.width += beside;
     result.height += below;
     // The last tick's text may reach beyond the frame.
     if (!layout.x.ticks.empty()) {
       const double reach = layout.width * layout.x.place(layout.x.ticks.back().value) +
-                           safety * text_width(layout.x.ticks.back().text, text_size) / 2;
+                           safety * text_width(plain_text(layout.x.ticks.back().text, false), text_size) / 2;
       right = std::max(0.0, reach - layout.width);
     }
   }
@@ -155,7 +157,7 @@ Page page(const Plot& plot, const Layout& layout) {
       result.left = border + beyond;
     }
   }
-  if (const double width = legend_width(plot); width > 0) {
+  if (const double width = legend_width(plot, text_size); width > 0) {
     right = std::max(right, 3 * gap + width);
     result.height =
         std::max(result.height, result.top + 1.4 * text_size * static_cast<double>(legend(plot).size()) + border);
@@ -176,7 +178,7 @@ void draw(const Plot& plot, const Layout& layout, const Page& page, Canvas& canv
   }
   if (plot.frame) draw_frame(plot, layout, page, canvas);
   if (!plot.title.empty()) {
-    canvas.text({page.left + layout.width / 2, page.top - 2 * gap}, plot.title, title_size, TextAlign::middle, false);
+    canvas.text({page.left + layout.width / 2, page.top - 2 * gap}, plot.title, page.style.title, TextAlign::middle, false);
   }
   draw_legend(plot, layout, page, canvas);
 }

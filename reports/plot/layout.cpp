@@ -160,10 +160,12 @@ Layout layout(const Plot& plot) {
     fit(result.y, result.height);
   }
   for (Scale* scale : {&result.x, &result.y}) {
-    if (scale->logarithmic)
+    if (const auto& given = scale == &result.x ? plot.x.ticks : plot.y.ticks)
+      scale->ticks = *given;
+    else if (scale->logarithmic)
       logarithmic_ticks(*scale);
     else
-      linear_ticks(*scale, scale == &result.x ? std::max(2.0, result.width / 60) : std::max(2.0, result.height / 45));
+      linear_ticks(*scale, scale == &result.x ? std::max(3.5, result.width / 60) : std::max(3.5, result.height / 45));
   }
   return result;
 }

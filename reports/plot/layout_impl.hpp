@@ -7,16 +7,11 @@
 
 namespace limes::plot_impl {
 
-struct Tick {
-  double value = 0;
-  std::string text;
-};
-
 /// One axis, ready to be drawn: its ends, its ticks, and the map from its values to [0, 1].
 struct Scale {
   double lower = 0, upper = 1;
   bool logarithmic = false;
-  std::vector<Tick> ticks;
+  std::vector<PlotTick> ticks;
   /// \pre value > 0 when logarithmic
   double place(double value) const;
 };
@@ -44,6 +39,9 @@ std::vector<LegendEntry> legend(const Plot& plot);
 
 /// The text without its dollars; \alpha etc. become Greek letters, or their names.
 std::string plain_text(const std::string& text, bool greek);
+
+/// Outside of $...$ the characters that TeX treats specially are escaped; a text with an odd number of dollars has no mathematics.
+std::string tex_text(const std::string& text);
 
 /// A number with at most `digits` decimals, without trailing zeros and without "-0".
 std::string decimals(double value, int digits);

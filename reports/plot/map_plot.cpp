@@ -33,6 +33,7 @@ Plot map_plot(const std::vector<MapUnion>& unions, const Box& region, const Vari
     plot.y.lower = 0;
     plot.y.upper = 1;
     plot.height = 60;
+    plot.y.ticks.emplace();
   } else {
     std::tie(plot.y.lower, plot.y.upper) = ends(region, 1);
     plot.y.label = parameters[axes[1]];

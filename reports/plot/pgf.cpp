@@ -14,33 +14,6 @@ std::string number(double value) { return fmt::format("{:.9g}", value + 0.0); }
 
 std::string rgb(Color c) { return fmt::format("{{rgb,255:red,{};green,{};blue,{}}}", c.red, c.green, c.blue); }
 
-/// Outside of $...$ the characters that TeX treats specially are escaped; a text with an odd number of dollars has no
-/// mathematics.
-std::string escaped(const std::string& text) {
-  const bool has_mathematics = std::count(text.begin(), text.end(), '$') % 2 == 0;
-  bool mathematics = false;
-  std::string result;
-  for (const char c : text) {
-    if (c == '$' && has_mathematics) {
-      mathematics = !mathematics;
-      result += c;
-    } else if (mathematics || static_cast<unsigned char>(c) < 0x20) {
-      if (mathematics) result += c;
-    } else if (c == '\\') {
-      result += "\\textbackslash{}";
-    } else if (c == '<' || c == '>' || c == '|') {
-      result += c == '<' ? "\\textless{}" : c == '>' ? "\\textgreater{}" : "\\textbar{}";
-    } else if (c == '~' || c == '^') {
-      result += fmt::format("\\{}{{}}", c);
-    } else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) {
-      result += {'\\', c};
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 std::string stroke_options(const Stroke& stroke) {
   const char* dash = stroke.dash == Dash::dashed ? ", dashed" : stroke.dash == Dash::dotted ? ", dotted" : "";
   return fmt::format("draw={}, line width={}pt, line join=round{}", rgb(stroke.color), number(stroke.width), dash);
@@ -98,7 +71,7 @@ class Writer {
                          : label.anchor == Anchor::below ? "north"
                                                          : "center";
     labels_ += fmt::format("  \\node[anchor={}, font=\\small] at (axis cs:{},{}) {{{}}};\n", anchor, number(label.at.x),
-                           number(label.at.y), escaped(label.text));
+                           number(label.at.y), tex_text(label.text));
   }
   void finish() { text_ += labels_; }
 
@@ -111,7 +84,7 @@ class Writer {
     if (points.empty()) return;
     text_ += fmt::format("  \\addplot[{}{}] coordinates {{{}\n  }}{};\n", options,
                          legend.empty() ? ", forget plot" : "", coordinates(points), end);
-    if (!legend.empty()) text_ += fmt::format("  \\addlegendentry{{{}}}\n", escaped(legend));
+    if (!legend.empty()) text_ += fmt::format("  \\addlegendentry{{{}}}\n", tex_text(legend));
   }
 
   const Layout& area_;
@@ -122,9 +95,9 @@ class Writer {
 /// Ticks as the other writers have them: pgfplots puts powers such as 10^{-0.5} on short logarithmic axes.
 std::string tick_options(const char* axis, const Scale& scale) {
   std::vector<std::string> values, texts;
-  for (const Tick& tick : scale.ticks) {
+  for (const PlotTick& tick : scale.ticks) {
     values.push_back(number(tick.value));
-    texts.push_back(fmt::format("${}$", tick.text));
+    texts.push_back(tick.text.find('$') == std::string::npos ? fmt::format("${}$", tick.text) : tick.text);
   }
   return fmt::format("  {0}tick={{{1}}}, {0}ticklabels={{{2}}}, minor {0} tick num=0,\n", axis, fmt::join(values, ","), fmt::join(texts, ","));
 }
@@ -134,21 +107,48 @@ std::string axis_options(const Plot& plot, const Layout& area) {
   std::string text = fmt::format("  scale only axis, width={}bp, height={}bp,\n  xmin={}, xmax={}, ymin={}, ymax={},\n",
                                  size(area.width), size(area.height), number(area.x.lower), number(area.x.upper),
                                  number(area.y.lower), number(area.y.upper));
-  if (plot.x.logarithmic) text += "  xmode=log,\n" + tick_options("x", area.x);
-  if (plot.y.logarithmic) text += "  ymode=log,\n" + tick_options("y", area.y);
-  if (!plot.title.empty()) text += fmt::format("  title={{{}}},\n", escaped(plot.title));
+  if (plot.x.logarithmic) text += "  xmode=log,\n";
+  if (plot.y.logarithmic) text += "  ymode=log,\n";
+  if (plot.x.logarithmic || plot.x.ticks) text += tick_options("x", area.x);
+  if (plot.y.logarithmic || plot.y.ticks) text += tick_options("y", area.y);
+  if (!plot.title.empty()) text += fmt::format("  title={{{}}},\n", tex_text(plot.title));
   if (!plot.frame) return text + "  hide axis,\n";
-  if (!plot.x.label.empty()) text += fmt::format("  xlabel={{{}}},\n", escaped(plot.x.label));
-  if (!plot.y.label.empty()) text += fmt::format("  ylabel={{{}}},\n", escaped(plot.y.label));
+  if (!plot.x.label.empty()) text += fmt::format("  xlabel={{{}}},\n", tex_text(plot.x.label));
+  if (!plot.y.label.empty()) text += fmt::format("  ylabel={{{}}},\n", tex_text(plot.y.label));
   return text;
 }
 
 }  // namespace
 
+std::string plot_impl::tex_text(const std::string& text) {
+  const bool has_mathematics = std::count(text.begin(), text.end(), '$') % 2 == 0;
+  bool mathematics = false;
+  std::string result;
+  for (const char c : text) {
+    if (c == '$' && has_mathematics) {
+      mathematics = !mathematics;
+      result += c;
+    } else if (mathematics || static_cast<unsigned char>(c) < 0x20) {
+      if (mathematics) result += c;
+    } else if (c == '\\') {
+      result += "\\textbackslash{}";
+    } else if (c == '<' || c == '>' || c == '|') {
+      result += c == '<' ? "\\textless{}" : c == '>' ? "\\textgreater{}" : "\\textbar{}";
+    } else if (c == '~' || c == '^') {
+      result += fmt::format("\\{}{{}}", c);
+    } else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) {
+      result += {'\\', c};
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 std::string to_pgf(const Plot& plot) {
   const Layout area = layout(plot);
   std::string text =
-      "% \\usepackage{pgfplots} in the preamble, then \\input this file.\n\\begin{tikzpicture}\n\\begin{axis}[\n";
+      "% \\usepackage{pgfplots} in the preamble, then \\input this file.\n\\begin{tikzpicture}[baseline=0pt]\n\\begin{axis}[\n";
   text += axis_options(plot, area);
   text += "  tick align=outside, tick pos=left,\n  legend pos=outer north east, legend cell align=left,\n]\n";
   Writer writer(area, text);

@@ -81,11 +81,19 @@ struct PlotLabel {
 
 using PlotItem = std::variant<PlotRegion, PlotCurve, PlotComb, PlotMarkers, PlotLabel>;
 
+struct PlotTick {
+  double value = 0;
+  /// May contain $...$.
+  std::string text;
+};
+
 struct PlotAxis {
   std::string label = {};
   /// Ends; without them those of the items, a little widened.
   std::optional<double> lower = {}, upper = {};
   bool logarithmic = false;
+  /// Instead of ticks at round numbers.
+  std::optional<std::vector<PlotTick>> ticks = {};
 };
 
 /// A picture as a value: what is drawn, in this order. Three writers make the same picture of it; equal plots give
@@ -112,6 +120,12 @@ std::string to_svg(const Plot& plot);
 
 /// A tikzpicture for an article that says \usepackage{pgfplots}; it is \input there.
 std::string to_pgf(const Plot& plot);
+
+/// The same picture for a document that pdfTeX or LuaTeX makes of nothing but pictures, one a page: lines are literals of PDF, which TeX
+/// need not draw, texts are set by TeX. See figures_latex(), whose preamble defines \limespage.
+std::string to_tex_page(const Plot& plot);
+/// How far that page reaches below the area inside of the frame, in points.
+double depth_below_area(const Plot& plot);
 
 /// The bytes of a PNG file with `pixels_per_point` pixels per point (2: 144 dpi), antialiased. \throws LimitError above
 /// 2^23 pixels.

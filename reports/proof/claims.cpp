@@ -1,6 +1,7 @@
 #include "reports/document/sha256.hpp"
 #include "reports/proof/formulas.hpp"
 #include "reports/proof/sections_impl.hpp"
+#include "reports/unity/projective_proof_text.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ RichText source_text(const Claim& claim) {
 
 /// "For every w in [..] the scheme is C^2."
 RichText assertion(const Scheme& scheme, const Claim& claim) {
-  if (claim.valences) return vertex_assertion(scheme, claim);
+  if (scheme.surface) return rich(vertex_assertion(scheme, claim));
   const std::string type = scheme.sequence && scheme.sequence->types.size() > 1 ? fmt::format(" ({})", to_string(claim.type)) : "";
   if (claim.space) {
     const std::string functions = functions_latex(claim.space->functions);
@@ -35,7 +36,8 @@ RichText assertion(const Scheme& scheme, const Claim& claim) {
   }
   if (claim.subject == ClaimSubject::zero_limits) return rich("The scheme has no continuous limits but zero.");
   const std::string smooth = fmt::format("$C^{{{}}}${}", claim.smoothness, claim.subject == ClaimSubject::projective_limits ? " in its projective version" : "");
-  const std::string knots = scheme.insertion_rule && !claim.negated ? ", for every knot sequence" : scheme.insertion_rule ? " for all knot sequences" : "";
+  const bool for_no_value = claim.negated && !scheme.parameters.empty() && !is_point(claim.region);
+  const std::string knots = !scheme.insertion_rule ? "" : !claim.negated ? ", for every knot sequence" : for_no_value ? " for all knot sequences" : " over some knot sequence";
   if (scheme.parameters.empty()) return rich(fmt::format("The scheme is {}{}{}.", claim.negated ? "not " : "", smooth, knots));
   const std::string region = region_latex(scheme, claim.region);
   if (is_point(claim.region)) return rich(fmt::format("For ${}${} the scheme is {}{}{}.", region, type, claim.negated ? "not " : "", smooth, knots));
@@ -79,14 +81,10 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
       return space_proof(scheme, certificate);
     case Theorem::e1:
     case Theorem::e2:
-      return vertex_proof(scheme, certificate);
-    default:
-      return {paragraph(fmt::format("By [Theorem {0}](#theorem-{0}); the cone, words and vectors that it needs are in the certificate.", to_string(certificate.theorem)))};
+      return vertex_proof_text(scheme, certificate, stop);
+    default:  // P0, P1, P2
+      return projective_proof_text(scheme, certificate);
   }
-}
-
-std::string certificate_words(const DecidedClaim& decided) {
-  return fmt::format("Certificate `{}`, SHA-256 `{}…`.", decided.certificate, sha256(decided.verdict.certificate_json).substr(0, 12));
 }
 
 /// The box common to both, if it is not empty.
@@ -108,10 +106,15 @@ void append(Blocks& blocks, Blocks more) {
   for (Block& block : more) blocks.push_back(std::move(block));
 }
 
+RichText certificate_text(const std::string& name, const std::string& json) {
+  return rich(fmt::format("Certificate `{}` (SHA-256 `{}`).", name, sha256(json).substr(0, 12)));
+}
+
 RichText statement_text(const Claim& claim) {
   if (claim.space) {
     return rich(fmt::format("{}{} ${}$", claim.negated ? "not " : "", claim.space->generates ? "generates" : "reproduces", functions_latex(claim.space->functions)));
   }
+  if (claim.subject == ClaimSubject::vertex_spectrum) return rich("spectral condition");
   if (claim.subject != ClaimSubject::limits) return prose(statement(claim));
   return rich(fmt::format("{}$C^{{{}}}$", claim.negated ? "not " : "", claim.smoothness));
 }
@@ -119,6 +122,13 @@ RichText statement_text(const Claim& claim) {
 RichText region_rich(const Scheme& scheme, const Box& region) {
   const std::string latex = region_latex(scheme, region);
   return latex.empty() ? RichText{} : mathematics(latex);
+}
+
+RichText region_rich(const Scheme& scheme, const Claim& claim) {
+  RichText region = region_rich(scheme, claim.region);
+  if (!claim.valences) return region;
+  const RichText valences = mathematics(valences_latex(*claim.valences));
+  return region.empty() ? valences : valences + rich(", ") + region;
 }
 
 Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportState& state, const Stop& stop) {
@@ -139,6 +149,7 @@ Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportSt
                                .title = {},
                                .body = {paragraph(rich("*Undecided:* ") + assertion(scheme, claim) + rich(" Neither a proof nor a refutation was found: ") +
                                                   prose(verdict.reason) + rich("."))}});
+    append(std::get<Statement>(blocks.back()).body, undecided_text(scheme, claim, stop));
   }
   if (verdict.certificate) {
     Statement proof{.kind = Statement::Kind::proof, .title = {}, .body = {}};
@@ -148,7 +159,7 @@ Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportSt
       }
     }
     append(proof.body, proof_of(scheme, *verdict.certificate, state, stop));
-    proof.body.push_back(paragraph(certificate_words(decided)));
+    proof.body.push_back(Paragraph{certificate_text(decided.certificate, decided.verdict.certificate_json)});
     proof.body = flowing(std::move(proof.body));
     blocks.push_back(std::move(proof));
   }

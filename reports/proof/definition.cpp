@@ -3,7 +3,6 @@
 #include "analysis/uniform/stability.hpp"
 #include "reports/proof/formulas.hpp"
 #include "reports/proof/sections_impl.hpp"
-#include "schemes/surface/ring_expression.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +11,7 @@ namespace {
 
 RichText parameters_text(const Scheme& scheme) {
   if (scheme.parameters.empty()) return {};
-  return rich(fmt::format(" The parameter range is ${}$.", region_latex(scheme, scheme.parameter_box())));
+  return rich(fmt::format(" The parameter is taken from the range ${}$.", region_latex(scheme, scheme.parameter_box())));
 }
 
 RichText polynomials_text(const Mask& mask, const VariableNames& names) {
@@ -40,11 +39,12 @@ Blocks uniform_definition(const Scheme& scheme, const std::string& words, bool w
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();
   const int k = sum_rule_order(mask);
-  blocks.push_back(paragraph(rich(words) + (with_range ? parameters_text(scheme) : RichText{})));
+  blocks.push_back(paragraph(words));
   blocks.push_back(refinement_rules(mask, names));
+  if (with_range && !scheme.parameters.empty()) blocks.push_back(paragraph(parameters_text(scheme)));
   const LaurentPolynomial b = *difference_symbol(mask, k);
   const std::string factor = k == 0 ? fmt::format("{}\\,b(z)", mask.arity)
-                                    : fmt::format("{}\\,{}b(z)", sigma_power(mask.arity, k), k == 1 ? "" : negative_power(mask.arity, k - 1) + "\\,");
+                                    : fmt::format("{}{}\\,b(z)", k == 1 ? "" : negative_power(mask.arity, k - 1), sigma_power(mask.arity, k));
   blocks.push_back(paragraph(fmt::format("Its symbol $a(z)=\\sum_i a_i z^i$ satisfies the sum rules of order ${}$,", k)));
   Display display{{{"a(z)", {"=" + factor + ","}}, sum_line("b(z)", laurent_terms(b, names))}};
   close(display, ".");
@@ -78,21 +78,9 @@ Blocks nonuniform_definition(const Scheme& scheme) {
   Blocks blocks;
   blocks.push_back(paragraph(
       rich(fmt::format("Between $p_i$ and $p_{{i+1}}$ with knots $t_i<t_{{i+1}}$ the scheme inserts a point at $(t_i+t_{{i+1}})/2$ that depends on the ${}$ points "
-                       "$p_{{i-{}}},\\dots,p_{{i+{}}}$ and their knots:", 2 * n, n - 1, n)) +
+                       "$p_{{i-{}}},\\dots,p_{{i+{}}}$ and their knots.", 2 * n, n - 1, n)) +
       parameters_text(scheme)));
-  DataTable table{.caption = {}, .columns = "ll", .header = {rich("name"), rich("rule")}, .rows = {}};
-  for (const auto& definition : rule.text().let) table.rows.push_back({code(definition.name), code(definition.value.text)});
-  if (rule.text().coefficients.empty()) {
-    table.rows.push_back({rich("new point"), code(rule.text().new_point.text)});
-  } else {
-    for (std::size_t j = 0; j < rule.text().coefficients.size(); ++j) {
-      table.rows.push_back({mathematics(fmt::format("e_{{{}}}", j + 1)), code(rule.text().coefficients[j].text)});
-    }
-  }
-  blocks.push_back(std::move(table));
-  blocks.push_back(paragraph(
-      "Here `f(k,j)` is the interpolant of degree $k$ about the interval $i+j$, localised to $[t_i,t_{i+1}]$, and `at(S,u)` is the value of the "
-      "segment $S$ at $u\\in[0,1]$; old points stay."));
+  append(blocks, rule_text(rule.text()));
   append(blocks, coefficients_in_ratios(scheme));
   append(blocks, uniform_definition(scheme, "For equal knot intervals the scheme is uniform:", false));
   return blocks;
@@ -118,26 +106,16 @@ Display refinement_rules(const Mask& mask, const VariableNames& names) {
     if (sum.empty()) sum.emplace_back("+0");
     const std::string left = p == 2 && residue == 0 ? "q_{2i}" : residue == 0 ? fmt::format("q_{{{}i}}", p) : fmt::format("q_{{{}i+{}}}", p, residue);
     display.lines.push_back(sum_line(left, sum));
+    display.lines.back().right.back() += residue + 1 < p ? "," : ".";
   }
   return display;
 }
 
 Blocks definition(const Scheme& scheme) {
   if (scheme.insertion_rule) return nonuniform_definition(scheme);
-  if (scheme.kind == SchemeKind::uniform) return uniform_definition(scheme, "From points $p_j$ one step makes the points $q_j$ below.", true);
+  if (scheme.kind == SchemeKind::uniform) return uniform_definition(scheme, "From points $p_j$ one step makes the points", true);
   if (scheme.sequence) return nonstationary_definition(scheme);
-  if (scheme.surface && !scheme.surface->virtual_points) {
-    Blocks blocks{paragraph(rich("A scheme for meshes of quadrilaterals: the tensor product of the curve scheme ") + code(scheme.surface->curve) +
-                            rich(" where the mesh is regular. Around extraordinary " + std::string(scheme.surface->rings.dual ? "faces" : "vertices") +
-                                 " of valence $n$ these new points have rules of their own:"))};
-    for (const auto& [point, terms] : scheme.surface->rings.given)
-      blocks.push_back(paragraph(code(to_string(point) + " = " + to_string(terms, scheme.surface->sequence.level_parameter))));
-    return blocks;
-  }
-  if (scheme.surface) {
-    return {paragraph(rich("A scheme for meshes of quadrilaterals: the tensor product of the curve scheme ") + code(scheme.surface->curve) +
-                      rich(" where the mesh is regular, continued through extraordinary vertices by virtual points [@Kobbelt1996], [@BariMustafaGhaffarNisarBaleanu2021]."))};
-  }
+  if (scheme.surface) return surface_definition(scheme);
   return {paragraph(rich("The scheme is defined by its file, ") + code(scheme.file.filename().string()) + rich(".") + parameters_text(scheme))};
 }
 

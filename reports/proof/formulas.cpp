@@ -4,19 +4,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace limes {
 namespace {
 
 RationalFunction as_function(const Rational& x) { return RationalFunction::constant(0, x); }
 
-bool needs_parentheses(const RationalFunction& c) { return c.is_polynomial() && c.numerator().term_count() > 1; }
+/// Quotients of numbers are set small: they stand in sums.
+std::string with_small_fractions(std::string latex) {
+  for (std::size_t at = 0; (at = latex.find("\\frac{", at)) != std::string::npos; at += 7) latex.insert(at + 1, "t");
+  return latex;
+}
 
-/// "+\frac{w}{2} z^{3}", the sign always written.
-std::string signed_term(const RationalFunction& c, const std::string& power, const VariableNames& names) {
-  std::string latex = to_latex(c, names);
-  if (needs_parentheses(c)) {
-    return power.empty() ? (latex.starts_with('-') ? latex : "+" + latex) : fmt::format("+\\left({}\\right){}", latex, power);
+/// "\tfrac12-4w" rather than "-4w+\tfrac12": a term with a positive sign first, if there is one.
+std::string polynomial_latex(const MultivariatePolynomial& p, const VariableNames& names) {
+  std::vector<std::string> terms;
+  for (const auto& term : p.terms()) {
+    const std::string latex = to_latex(RationalFunction(MultivariatePolynomial::from_terms(p.variables(), {term})), names);
+    terms.push_back(latex.starts_with('-') ? latex : "+" + latex);
   }
+  if (!terms.empty() && terms.front().starts_with('-')) std::reverse(terms.begin(), terms.end());
+  return with_small_fractions(joined_sum(terms));
+}
+
+/// "+\tfrac{w}{2} z^{3}", the sign always written.
+std::string signed_term(const RationalFunction& c, const std::string& power, const VariableNames& names) {
+  if (c.is_polynomial() && c.numerator().term_count() > 1) {
+    const std::string latex = polynomial_latex((Rational(1) / c.denominator().constant_value()) * c.numerator(), names);
+    return power.empty() ? (latex.starts_with('-') ? latex : "+" + latex) : fmt::format("+({})\\,{}", latex, power);
+  }
+  std::string latex = to_latex(c, names);
+  if (c.is_polynomial()) latex = with_small_fractions(latex);
   const bool negative = latex.starts_with('-');
   if (negative) latex.erase(0, 1);
   if (latex == "1" && !power.empty()) latex.clear();

@@ -160,6 +160,31 @@ Blocks characteristic_text(const Scheme& scheme, const Claim& claim, const std::
   return blocks;
 }
 
+/// The coefficients of the new points about an isolated ratio, in the appendix; nothing where they would fill pages.
+Blocks matrix_text(const Scheme& scheme, ReportState& state) {
+  constexpr int most_points = 6;
+  constexpr double widest_entry = 75, longest = 4000;
+  const InsertionRule& rule = *scheme.insertion_rule;
+  if (rule.points() > most_points || !state.shown.insert("matrix of " + scheme.name).second) return {};
+  const VariableNames names = with_ratio(scheme);
+  const std::vector<std::vector<RationalFunction>> stencils = isolated_ratio_stencils(rule, {});
+  Display display{.lines = {}, .small = true};
+  double all = 0;
+  for (std::size_t k = 0; k < stencils.size(); ++k) {
+    for (std::size_t j = 0; j < stencils[k].size(); ++j) {
+      const std::string entry = to_latex(stencils[k][j], names);
+      all += estimated_width(entry);
+      if (estimated_width(entry) > widest_entry || all > longest) return {};
+      display.lines.push_back({fmt::format("e_{{{},{}}}", k, j + 1), {"=" + entry}});
+    }
+  }
+  const int n = rule.points() / 2;
+  state.appendix.push_back(paragraph(prose(scheme.name) + rich(fmt::format(", the subdivision matrix about a knot with the ratio $\\gamma$, all others being $1$: new points are $\\sum_{{j=1}}^{{{}}}e_{{k,j}}\\,p_{{i-{}+j}}$, where $k=0$ when "
+                                                                           "all ratios that matter are $1$, and else ratio number ${}-k$ from the left is $\\gamma$,", 2 * n, n, 2 * n - 1))));
+  state.appendix.push_back(std::move(display));
+  return {paragraph("Its rows for old points are unit vectors; the others are in the [appendix](#appendix).")};
+}
+
 }  // namespace
 
 Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportState& state, const Stop& stop) {
@@ -173,6 +198,7 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportSt
       "*An isolated ratio.* The subdivision matrix $L(\\gamma)$ is of size ${0}\\times{0}$ and maps the $k$-th powers of the knots to $2^{{-k}}$ times them, "
       "$k=0,\\dots,{1}$, identically in $\\gamma${2}.",
       size, m, scheme.parameters.empty() ? "" : " and the parameters")));
+  append(blocks, matrix_text(scheme, state));
   std::vector<DominatedFactor> ell, rest;
   for (const DominatedFactor& factor : proof.factors) (factor.polynomial.degree() == 1 ? ell : rest).push_back(factor);
   std::string key = fmt::format("chi {}", m);

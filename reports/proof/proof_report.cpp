@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace limes {
 namespace {
 
@@ -17,14 +19,6 @@ std::string section_label(const Scheme& scheme) { return "scheme-" + scheme.name
 RichText short_statement(const Claim& claim) {
   if (!claim.space) return statement_text(claim);
   return rich(fmt::format("{}{} a space", claim.negated ? "not " : "", claim.space->generates ? "generates" : "reproduces"));
-}
-
-/// Valences and parameters.
-RichText where(const Scheme& scheme, const Claim& claim) {
-  const RichText region = region_rich(scheme, claim.region);
-  if (!claim.valences) return region;
-  const RichText valences = mathematics(valences_latex(*claim.valences));
-  return region.empty() ? valences : valences + rich(", ") + region;
 }
 
 DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
@@ -40,7 +34,7 @@ DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
       RichText outcome = rich(verdict.outcome == Outcome::certified ? "certified" : fmt::format("*{}*", to_string(verdict.outcome)));
       if (!expected) outcome = outcome + rich(" (unexpected)");
       table.rows.push_back({first ? RichText{{Span::Kind::reference, reported.scheme.name, section_label(reported.scheme)}} : RichText{},
-                            short_statement(decided.claim), where(reported.scheme, decided.claim), outcome,
+                            short_statement(decided.claim), region_rich(reported.scheme, decided.claim), outcome,
                             verdict.certificate ? rich(fmt::format("[{0}](#theorem-{0})", to_string(verdict.certificate->theorem))) : RichText{},
                             verdict.certificate_json.empty() ? RichText{} : code(sha256(verdict.certificate_json).substr(0, 12))});
       first = false;
@@ -80,11 +74,15 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   state.shown.clear();
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
-  if (options.figures && (scheme.kind == SchemeKind::uniform || scheme.insertion_rule)) append(blocks, scheme_figures(reported, options.polygons, stop));
+  if (options.figures) append(blocks, scheme_figures(reported, options, stop));
   for (const DecidedClaim& decided : reported.claims) {
     stop.check();
     append(blocks, decided_claim(scheme, decided, state, stop));
   }
+  append(blocks, exponent_text(reported));
+  if (reported.weight) append(blocks, weight_section(scheme, *reported.weight));
+  if (reported.filters) append(blocks, filter_section(scheme, *reported.filters));
+  if (!options.figures) std::erase_if(blocks, [](const Block& block) { return std::holds_alternative<Figure>(block); });
   return blocks;
 }
 
@@ -104,11 +102,13 @@ Document proof_report(const std::vector<ReportedScheme>& schemes, const ProofRep
   Document document{.title = options.title, .subtitle = {}, .blocks = {}};
   if (options.front_matter) append(document.blocks, summary(schemes));
   document.blocks.push_back(Heading{1, rich("What is proved, and how"), "theorems"});
-  append(document.blocks, theorem_statements(used_theorems(schemes)));
+  const bool exponents = std::any_of(schemes.begin(), schemes.end(), [](const ReportedScheme& reported) { return !reported.exponents.empty(); });
+  append(document.blocks, theorem_statements(used_theorems(schemes), exponents));
+  if (std::any_of(schemes.begin(), schemes.end(), [](const ReportedScheme& reported) { return reported.filters.has_value(); })) append(document.blocks, biorthogonality_theorem());
   ReportState state;
   for (const ReportedScheme& reported : schemes) append(document.blocks, section(reported, options, state, stop));
   if (!state.appendix.empty()) {
-    document.blocks.push_back(Heading{1, rich("Appendix: coefficients of long factors"), "appendix"});
+    document.blocks.push_back(Heading{1, rich("Appendix: subdivision matrices and long factors"), "appendix"});
     append(document.blocks, std::move(state.appendix));
   }
   return document;

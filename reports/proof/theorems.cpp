@@ -30,10 +30,9 @@ Blocks conventions(bool knots) {
 
 }  // namespace
 
-Blocks theorem_statements(const std::set<Theorem>& theorems) {
+Blocks theorem_statements(const std::set<Theorem>& theorems, bool exponents) {
   Blocks blocks = conventions(theorems.contains(Theorem::n1) || theorems.contains(Theorem::n3));
-  const bool vertices = theorems.contains(Theorem::e1) || theorems.contains(Theorem::e2);
-  if (vertices || theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1)) {
+  if (theorems.contains(Theorem::u1) || theorems.contains(Theorem::n1) || theorems.contains(Theorem::s1) || theorems.contains(Theorem::e1) || theorems.contains(Theorem::e2)) {
     blocks.push_back(theorem("U1", " [@Dyn1992], [@DynLevin2002]",
                              {paragraph("If $a(1)=p$, $a(z)=\\sigma(z)^{m+1}p^{-m}\\,b(z)$ with a Laurent polynomial $b$, and $\\lVert S_b^l\\rVert_\\infty<1$ for some $l\\ge1$, then the "
                                         "scheme is $C^m$. Instead of a small $\\lVert S_b^l\\rVert_\\infty$ any norm will do in which all finite sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, "
@@ -43,6 +42,12 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
     blocks.push_back(theorem("U2", " [@CavarettaDahmenMicchelli1991], [@DynLevin2002]",
                              {paragraph("Let the integer shifts of the basic limit function be stable. If the scheme is $C^m$, then $a(1)=p$, $\\sigma^{m+1}$ divides $a$, and every product of the "
                                         "sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$, of $b=p^m a/\\sigma^{m+1}$ has a spectral radius below $1$.")}));
+  }
+  if (exponents) {
+    blocks.push_back(theorem("U3", " [@Rioul1992], [@DynLevin2002], [@GuglielmiProtasov2013]",
+                             {paragraph("The Hölder exponent is the supremum of $m+\\alpha$, $0\\le\\alpha\\le1$, such that all limits have $m$ derivatives, the last one with exponent $\\alpha$. Let $a(1)=p$ and "
+                                        "$a(z)=p^{1-k}\\sigma(z)^kb(z)$, $k\\ge1$, and let $\\varrho$ be the joint spectral radius of the sections $(B_e)_{ij}=b_{e+pj-i}$, $e=0,\\dots,p-1$. If $\\varrho<p^{k-1}$, the exponent is at least "
+                                        "$k-1-\\log_p\\varrho$. It is equal to it if the integer shifts of the basic limit function are stable and $k$ is the greatest possible order.")}));
   }
   if (theorems.contains(Theorem::n1)) {
     blocks.push_back(theorem("N1", " [@Warren1995], [@DaubechiesGuskovSweldens1999], [@KarciauskasPeters2013]",
@@ -71,6 +76,20 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
                                         "samples at $(i+s)h$ exactly if in every residue class of $i$ the moments $\\sum_{k\\equiv i}a_k(\\tau-k)^r\\mathrm{e}^{\\mathrm{i}n\\theta h(\\tau-k)}$, $r=0,\\dots,j$, are $1,0,\\dots,0$; it maps them into the "
                                         "space of $y^r\\mathrm{e}^{\\mathrm{i}n\\theta y}$, $r\\le j$, if the moments do not depend on the class.")}));
   }
+  if (theorems.contains(Theorem::e1) || theorems.contains(Theorem::e2)) {
+    blocks.push_back(paragraph("Around an extraordinary vertex or face of valence $n$ a surface scheme has a subdivision matrix $M$ on finitely many rings, which rotations split into Fourier blocks $j=0,\\dots,n-1$. It satisfies the "
+                               "*spectral condition* if $1$ is a simple eigenvalue, of block $0$; the blocks $1$ and $n-1$ have the same simple real eigenvalue $\\lambda\\in(0,1)$; and all other eigenvalues are less than $\\lambda$ in modulus."));
+    blocks.push_back(theorem("E1", " [@Reif1995], [@PetersReif2008]",
+                             {paragraph("Let the curve scheme be $C^1$ by Theorem U1, the rules have weights of sum $1$ and the symmetry of the $n$-gon, and let there be a radius $\\varrho$ such that, counted with multiplicity, block $0$ has the "
+                                        "eigenvalue $1$ and no other of modulus at least $\\varrho$, blocks $1$ and $n-1$ have one each, positive and less than $1$, and no other block has one. Then the spectral condition holds. If the matrices $M_k$ of the steps depend on "
+                                        "$k$, it is that of their limit $M$, with $\\sum_k2^k\\lVert M_k-M\\rVert<\\infty$.")}));
+  }
+  if (theorems.contains(Theorem::e2)) {
+    blocks.push_back(theorem("E2", " [@Reif1995], [@PetersReif2008]",
+                             {paragraph("Let the rules be the same at every step and the spectral condition hold, and let $\\Phi$, the limit of the eigenvector of block $1$, have a positive Jacobian and satisfy $\\mathrm{Re}(\\mathrm{e}^{-\\mathrm{i}\\pi/n}\\Phi)>0$ in the first sector, on a closed "
+                                        "annulus of regular pieces whose images under the powers of $\\lambda$ fill the plane. Then this characteristic map is a homeomorphism, and for all control points outside of a proper algebraic subset the limit surface is $C^1$ at the "
+                                        "extraordinary point.")}));
+  }
   if (theorems.contains(Theorem::p0)) {
     blocks.push_back(theorem("P0", "", {paragraph("Let the even or the odd coefficients of a binary mask not sum to $1$. Then $0$ is the only continuous limit. If moreover a product of the sections $(A_e)_{ij}=a_{e+2j-i}$ of the mask has "
                                                   "a real eigenvalue of at least $1$, the scheme is not $C^0$.")}));
@@ -83,22 +102,6 @@ Blocks theorem_statements(const std::set<Theorem>& theorems) {
   if (theorems.contains(Theorem::p2)) {
     blocks.push_back(theorem("P2", "", {paragraph("Let in addition $A_Wv_1=\\lambda_1v_1$ and $A_Wv_2=\\lambda_2v_2$ for a word $W$ of $k$ letters, with $v_1$ in the interior of $K$ and real $\\lambda_2$, $2^{-k}\\lambda_1<|\\lambda_2|<\\lambda_1$, and let the "
                                                   "limit of the points $A_Uv_2/A_Uv_1$ with weights $A_Uv_1$ not vanish for a word $U$ whose length is a multiple of $L$. Then the projective scheme is not $C^1$.")}));
-  }
-  if (vertices) {
-    blocks.push_back(paragraph(
-        "A surface scheme is the tensor product of a curve scheme where the mesh is regular. Around an isolated extraordinary vertex (face) of valence $n$ one step multiplies the control points of some rings by a "
-        "block-circulant matrix $M$. Its *spectral condition* is: rows sum to $1$; the eigenvalue $1$ is simple and belongs to Fourier block $0$; there is $\\lambda\\in(0,1)$ that is a simple eigenvalue of the "
-        "Fourier blocks $1$ and $n-1$; all other eigenvalues are less than $\\lambda$ in modulus; the rings determine a full ring of limit patches, none of them but the vertex being without influence; and "
-        "the curve scheme is $C^1$. The *characteristic map* is the limit of the planar net that the eigenvectors to $\\lambda$ form."));
-    blocks.push_back(theorem("E1", " [@Reif1995], [@PetersReif2008]",
-                             {paragraph("Let numbers separate $\\lambda$ from all other eigenvalues of the blocks, besides $1$, by the number of roots of their characteristic polynomials in discs. Then the "
-                                        "spectral condition holds. (It alone does not prove $C^1$.)")}));
-  }
-  if (theorems.contains(Theorem::e2)) {
-    blocks.push_back(theorem("E2", " [@Reif1995], [@Zorin2000], [@PetersReif2008]",
-                             {paragraph("Let the spectral condition hold, and let on an annulus of regular patches, which with its images under $t\\mapsto t/2$ surrounds the extraordinary point, the Jacobian of the characteristic map be positive and the map keep every "
-                                        "sector within the open half-plane around the sector's middle direction. Then the map is regular and injective, and for every control net outside of a proper algebraic subset the limit surface is $C^1$ near the extraordinary "
-                                        "point.")}));
   }
   return blocks;
 }

@@ -43,18 +43,11 @@ std::optional<Rational> norm_at(const Mask& mask, int smoothness, const std::vec
   }
 }
 
-std::string value_latex(const Rational& norm) {
-  const std::string exact = inline_latex(norm);
-  const std::string decimal = to_decimal(norm, 6, Rounding::nearest);
-  if (exact.size() <= 28) return denominator(norm) == 1 ? "=" + exact : fmt::format("={}{}{}", exact, read_rational(decimal) == norm ? "=" : "\\approx", decimal);
-  return fmt::format("={}\\ldots", to_decimal(norm, 10, Rounding::down));
-}
-
 /// "b(z) = ..", for the order of the claim: the b of the definition times factors sigma/p when that is of a higher order.
 Blocks difference_symbol_text(const Scheme& scheme, const Mask& mask, int smoothness, bool at_point, ReportState& state) {
   const int order = sum_rule_order(mask), general = sum_rule_order(scheme.mask), p = mask.arity;
   const std::string power = sigma_power(p, smoothness + 1);
-  const std::string identity = fmt::format("a(z)={}{}\\,b(z)", power, smoothness == 0 ? "" : "\\," + negative_power(p, smoothness));
+  const std::string identity = fmt::format("a(z)={}{}\\,b(z)", smoothness == 0 ? "" : negative_power(p, smoothness), power);
   if (order < smoothness + 1) return {};
   if (!at_point && general == smoothness + 1) {
     return {paragraph(fmt::format("The symbol satisfies $a(1)={}$ and ${}$ with the $b$ above.", p, identity))};
@@ -97,17 +90,6 @@ RichText missing_text(const Mask& mask, int smoothness, const VariableNames& nam
          rich(shortest.find_first_not_of("0123456789-\\frac{}") == std::string::npos ? "." : ", among others; one of them has a strict sign on each box of the certificate.");
 }
 
-std::string word_latex(const std::vector<int>& word) {
-  std::string text;
-  for (std::size_t k = 0; k < word.size();) {
-    std::size_t end = k;
-    while (end < word.size() && word[end] == word[k]) ++end;
-    text += end - k == 1 ? fmt::format("B_{{{}}}", word[k]) : fmt::format("B_{{{}}}^{{{}}}", word[k], end - k);
-    k = end;
-  }
-  return text;
-}
-
 Blocks word_text(const Mask& mask, int smoothness, const std::vector<ProofLeaf>& leaves, const VariableNames& names, bool with_parameters) {
   Blocks blocks;
   const std::vector<const ProofLeaf*> words = [&] {
@@ -125,10 +107,10 @@ Blocks word_text(const Mask& mask, int smoothness, const std::vector<ProofLeaf>&
   const std::vector<ComplexRoot> roots = enclose_complex_roots(characteristic_polynomial(sections.product(first, {})));
   const std::string size = fmt::format("{0}\\times{0}", sections.size());
   blocks.push_back(paragraph(
-      rich(fmt::format("Write $a(z)={}{}\\,b(z)$; the finite sections $(B_e)_{{ij}}=b_{{e+{}j-i}}$ are of size ${}$. ", sigma_power(mask.arity, smoothness + 1),
-                       smoothness == 0 ? "" : "\\," + negative_power(mask.arity, smoothness), mask.arity, size)) +
-      rich(fmt::format("{}${}$ has the spectral radius ${}\\ge1$", with_parameters ? fmt::format("At ${}$, ", point_latex(names, point)) : "",
-                       word_latex(first), digits_latex(roots.front().modulus))) +
+      rich(fmt::format("Write $a(z)={}{}\\,b(z)$; the finite sections $(B_e)_{{ij}}=b_{{e+{}j-i}}$ are of size ${}$. ", smoothness == 0 ? "" : negative_power(mask.arity, smoothness),
+                       sigma_power(mask.arity, smoothness + 1), mask.arity, size)) +
+      rich(fmt::format("{}${}$ has the spectral radius ${}$", with_parameters ? fmt::format("At ${}$, ", point_latex(names, point)) : "",
+                       word_latex(first), roots.front().modulus == Interval::point(1) ? "1" : digits_latex(roots.front().modulus) + ">1")) +
       rich(leaves.size() > 1 ? fmt::format("; words of length up to ${}$ do the same on all ${}$ boxes that tile the region.",
                                            [&] {
                                              std::size_t longest = 0;
@@ -154,6 +136,24 @@ Blocks word_table(const Scheme& scheme, const std::vector<ProofLeaf>& leaves) {
 }
 
 }  // namespace
+
+std::string value_latex(const Rational& norm) {
+  const std::string exact = inline_latex(norm);
+  const std::string decimal = to_decimal(norm, 6, Rounding::nearest);
+  if (exact.size() <= 28) return denominator(norm) == 1 ? "=" + exact : fmt::format("={}{}{}", exact, read_rational(decimal) == norm ? "=" : "\\approx", decimal);
+  return fmt::format("={}\\ldots", to_decimal(norm, 10, Rounding::down));
+}
+
+std::string word_latex(const std::vector<int>& word) {
+  std::string text;
+  for (std::size_t k = 0; k < word.size();) {
+    std::size_t end = k;
+    while (end < word.size() && word[end] == word[k]) ++end;
+    text += end - k == 1 ? fmt::format("B_{{{}}}", word[k]) : fmt::format("B_{{{}}}^{{{}}}", word[k], end - k);
+    k = end;
+  }
+  return text;
+}
 
 Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leaves, int smoothness, ReportState& state, const Stop& stop) {
   const Box& whole = leaves.front().region;

@@ -1,6 +1,7 @@
 // The verb by which tables speak of masks derived from weight functions.
 #include "algebra/error.hpp"
 #include "reports/tables/verbs_impl.hpp"
+#include "schemes/unity/derive_mask.hpp"
 #include "schemes/unity/weight_problem.hpp"
 
 #include <fmt/format.h>
@@ -10,15 +11,14 @@ namespace limes::table_impl {
 ComputedResult derive_values(const TableCommand& command, const Stop& stop) {
   command.allow({"--weight", "--domain", "--shifts", "--constraint", "--samples", "--precision", "--method", "--decimals", "--round"});
   if (!command.operands.empty()) throw InputError("'derive' takes its weight function by --weight");
-  WeightProblem problem;
   const std::optional<std::string> weight = command.option("--weight");
   if (!weight) throw InputError("'derive' needs --weight");
-  problem.weight = *weight;
+  WeightProblem problem{.function = *weight};
   problem.domain = command.option("--domain").value_or("");
   problem.shifts = command.option("--shifts").value_or("");
   if (const auto place = command.options.find("--constraint"); place != command.options.end()) problem.constraints = place->second;
-  if (command.option("--samples")) problem.samples = command.integer_option("--samples", 2, 10000000);
-  if (command.option("--precision")) problem.precision = command.integer_option("--precision", 53, 4096);
+  if (command.option("--samples")) problem.samples = command.integer_option("--samples", 2, max_samples);
+  if (command.option("--precision")) problem.precision = command.integer_option("--precision", 53, max_precision);
   if (command.option("--decimals")) problem.decimals = command.integer_option("--decimals", 1, 1000);
   const std::string method = command.option("--method").value_or("samples");
   if (method != "samples" && method != "integrals") throw InputError(fmt::format("--method {}: expected samples or integrals", method));

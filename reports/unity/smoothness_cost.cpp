@@ -1,13 +1,13 @@
 #include "reports/unity/smoothness_cost.hpp"
 
 #include "algebra/error.hpp"
-#include "analysis/uniform/contractivity_bound.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
+#include "analysis/uniform/hoelder_exponent.hpp"
 #include "proofs/prove.hpp"
+#include "proofs/spectral_radius/radius_certificate.hpp"
+#include "schemes/unity/derive_mask.hpp"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace limes {
 namespace {
@@ -18,28 +18,22 @@ bool is_certified(const Scheme& scheme, const Claim& claim, const Stop& stop) {
   return verdict.outcome == Outcome::certified;
 }
 
-/// The greatest n / 100 with norm <= 2^{level (rules - 1 - n / 100)}: floating point proposes, integers decide.
-Rational exponent_from_norm(const Rational& norm, int level, int rules) {
-  const auto holds = [&](int n) {  // norm^100 <= 2^{level (100 (rules - 1) - n)}
-    return power(norm, 100) <= power(Rational(2), level * (100 * (rules - 1) - n));
-  };
-  int n = static_cast<int>(std::floor(100 * (rules - 1 - std::log2(approx_double(norm)) / level))) + 1;
-  while (!holds(n)) --n;
-  return Rational(n) / 100;
-}
-
-std::optional<Rational> exponent_bound(const Mask& mask, const Stop& stop) {
-  constexpr int max_level = 8;
-  const int rules = sum_rule_order(mask);
-  if (rules == 0 || mask.symbol(1).constant_value() != 2) return std::nullopt;
-  const LaurentPolynomial b = *difference_symbol(mask, rules);
-  std::optional<Rational> best;
-  for (int level = 1; level <= max_level; ++level) {
-    const Rational bound = exponent_from_norm(exact_contractivity_norm(b, mask.arity, level, stop), level, rules);
-    if (!best || bound > *best) best = bound;
+/// Within the checker's patience, which polytopes of many vectors exceed: fewer then, with wider bounds.
+void enclose_exponent(const Scheme& scheme, SmoothnessCost& cost, const Stop& stop) {
+  constexpr int digits = 2;
+  for (const std::size_t max_vectors : {250, 60}) {
+    PolytopeLimits limits;
+    limits.max_vectors = max_vectors;
+    const HoelderExponent exponent = bound_hoelder_exponent(scheme.mask, digits, limits, stop);
+    if (exponent.radius.interrupted) stop.check();
+    if (!exponent.bounds.lower) return;
+    try {
+      cost.exponent_certificate = prove_hoelder_exponent(scheme, {}, exponent);
+      cost.exponent = exponent.bounds;
+      return;
+    } catch (const LimitError&) {
+    }
   }
-  if (*best <= 0) return std::nullopt;
-  return best;
 }
 
 }  // namespace
@@ -74,8 +68,16 @@ std::vector<Claim> provable_claims(const Scheme& scheme, const Stop& stop) {
 
 std::vector<SmoothnessCost> smoothness_costs(const WeightProblem& problem, int max_order, const Stop& stop) {
   std::vector<SmoothnessCost> costs;
+  WeightProblem unconstrained = problem;
+  std::erase_if(unconstrained.constraints, [](const std::string& text) { return text.starts_with("sum-rules="); });
+  int satisfied = 0;
   for (int order = 0; order <= max_order; ++order) {
-    WeightProblem constrained = problem;
+    if (order > 1 && satisfied >= order) {
+      costs.push_back(costs.back());
+      costs.back().sum_rules = order;
+      continue;
+    }
+    WeightProblem constrained = unconstrained;
     if (order > 0) constrained.constraints.push_back(fmt::format("sum-rules={}", order));
     std::optional<DerivedMask> derived;
     try {
@@ -85,7 +87,9 @@ std::vector<SmoothnessCost> smoothness_costs(const WeightProblem& problem, int m
       break;  // so many sum rules do not fit the mask
     }
     const Scheme scheme = scheme_of(*derived, fmt::format("sum-rules-{}", order));
-    costs.push_back({order, derived->error, provable_claims(scheme, stop), exponent_bound(scheme.mask, stop)});
+    costs.push_back({.sum_rules = order, .mask = derived->mask, .error = derived->error, .claims = provable_claims(scheme, stop)});
+    satisfied = sum_rule_order(scheme.mask);
+    enclose_exponent(scheme, costs.back(), stop);
   }
   return costs;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "algebra/stop.hpp"
+#include "analysis/uniform/hoelder_exponent.hpp"
 #include "schemes/scheme.hpp"
 #include "schemes/unity/weight_problem.hpp"
 
@@ -19,13 +20,16 @@ std::vector<Claim> provable_claims(const Scheme& scheme, const Stop& stop);
 /// What the sum rules of one order cost, and what is proved for them.
 struct SmoothnessCost {
   int sum_rules = 0;
+  std::vector<Rational> mask = {};
   double error = 0;
-  std::vector<Claim> claims;
-  /// A lower bound of the Hoelder exponent, k - 1 - log2(||S_b^l||) / l for the k sum rules of the mask and some l, rounded down to hundredths.
-  std::optional<Rational> exponent;
+  std::vector<Claim> claims = {};
+  /// Of the Hoelder exponent, some hundredths apart where that can be had quickly; the certificate is accepted by the checker.
+  ExponentBounds exponent = {};
+  std::string exponent_certificate = {};
 };
 
-/// One row for each order of sum rules from 0 to `max_order`, as far as the constraints are feasible.
+/// One row for each order of sum rules from 0 to `max_order`, as far as the constraints are feasible; constraints of the problem about sum rules
+/// do not count. Orders that come for nothing (symmetric masks) have the mask of the order before.
 std::vector<SmoothnessCost> smoothness_costs(const WeightProblem& problem, int max_order, const Stop& stop);
 
 }  // namespace limes

@@ -46,4 +46,9 @@ Interval read_angles(std::string_view text) {
   return result;
 }
 
+std::optional<Rational> single_angle(const Interval& angles) {
+  if (angles.is_point() || angles.width() < power(Rational(2), -100)) return angles.midpoint();
+  return std::nullopt;
+}
+
 }  // namespace limes

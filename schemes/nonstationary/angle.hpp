@@ -2,6 +2,7 @@
 
 #include "algebra/polynomial/box.hpp"
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +14,9 @@ namespace limes {
 /// holds for the angles that were asked for.
 /// \throws InputError with column
 Interval read_angles(std::string_view text);
+
+/// The middle of what read_angles makes of a single angle, to work with in floating point; nothing for an interval of angles.
+std::optional<Rational> single_angle(const Interval& angles);
 
 /// {a, b} of a single angle a + b pi, exactly. \throws InputError with column
 std::pair<Rational, Rational> read_angle(std::string_view text);

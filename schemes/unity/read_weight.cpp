@@ -78,13 +78,29 @@ class Arguments {
       const std::size_t equals = part.find('=');
       const std::string key = equals == std::string::npos ? (part == "global" ? part : "") : trimmed(part.substr(0, equals));
       const std::string value = equals == std::string::npos ? part : trimmed(part.substr(equals + 1));
-      if (!values_.emplace(key, value).second) {
+      if (values_.emplace(key, value).second) {
+        keys_.push_back(key);
+      } else {
         throw InputError(fmt::format("{}: {} is given twice", function_, key.empty() ? "the expression" : "'" + key + "'"));
       }
     }
   }
 
-  void set(const std::string& key, const Rational& value) { values_[key] = to_string(value); }
+  void set(const std::string& key, const std::string& value) {
+    if (values_.insert_or_assign(key, value).second) keys_.push_back(key);
+  }
+
+  const std::string& function() const { return function_; }
+  /// 'name(..)' with all arguments that were not taken, in their order.
+  std::string text() const {
+    std::string list;
+    for (const std::string& key : keys_) {
+      const auto found = values_.find(key);
+      if (found == values_.end()) continue;
+      list += (list.empty() ? "" : ", ") + (key.empty() || key == "global" ? "" : key + "=") + found->second;
+    }
+    return function_ + "(" + list + ")";
+  }
 
   std::optional<std::string> take(const std::string& key) {
     const auto found = values_.find(key);
@@ -118,9 +134,11 @@ class Arguments {
  private:
   std::string function_;
   std::map<std::string, std::string> values_;
+  std::vector<std::string> keys_;
 };
 
-WeightFunction read_shape(const std::string& name, Arguments& arguments) {
+WeightFunction read_shape(Arguments& arguments) {
+  const std::string& name = arguments.function();
   if (name == "bspline") {
     const Rational degree = arguments.number("degree");
     if (denominator(degree) != 1 || abs(degree) > 1000) throw InputError("bspline: the degree must be an integer from 0 to 30");
@@ -137,9 +155,7 @@ WeightFunction read_shape(const std::string& name, Arguments& arguments) {
   return cinpact_weight(radius, arguments.number("sigma"), name == "interpolating-cinpact");
 }
 
-}  // namespace
-
-WeightFunction read_weight(const std::string& text, const std::vector<std::pair<std::string, Rational>>& settings) {
+Arguments read_arguments(const std::string& text) {
   const std::size_t open = text.find('(');
   const std::string name = trimmed(text.substr(0, open));
   if (name != "bspline" && name != "polynomial" && name != "cinpact" && name != "interpolating-cinpact") {
@@ -148,12 +164,23 @@ WeightFunction read_weight(const std::string& text, const std::vector<std::pair<
   }
   const std::string rest = trimmed(std::string_view(text).substr(std::min(open, text.size())));
   if (rest.size() < 2 || rest.back() != ')') throw InputError(fmt::format("{}: expected arguments in parentheses", name));
-  Arguments arguments(name, std::string_view(rest).substr(1, rest.size() - 2));
-  for (const auto& [key, value] : settings) arguments.set(key, value);
-  WeightFunction weight = read_shape(name, arguments);
+  return {name, std::string_view(rest).substr(1, rest.size() - 2)};
+}
+
+}  // namespace
+
+WeightFunction read_weight(const std::string& text) {
+  Arguments arguments = read_arguments(text);
+  WeightFunction weight = read_shape(arguments);
   if (const auto centre = arguments.take("centre")) weight.centre = read_rational(*centre);
   arguments.finish();
   return weight;
+}
+
+std::string with_argument(const std::string& text, const std::string& name, const Rational& value) {
+  Arguments arguments = read_arguments(text);
+  arguments.set(name, to_string(value));
+  return arguments.text();
 }
 
 WeightFunction piecewise_weight(std::vector<Rational> breaks, std::vector<Expression> pieces) {

@@ -59,9 +59,10 @@ WeightFunction polynomial_weight(const Polynomial& polynomial, const Interval& d
 WeightFunction cinpact_weight(const Rational& radius, const Rational& sigma, bool interpolating);
 
 /// Reads 'cinpact(c=5, sigma=479/100)', 'interpolating-cinpact(..)', 'bspline(degree=3)', 'polynomial(64-48*u^2, domain=[-2,2])', each with an
-/// optional 'centre=..', a polynomial with an optional 'global'.
-/// \param settings arguments that replace those of the text \throws InputError
-WeightFunction read_weight(const std::string& text, const std::vector<std::pair<std::string, Rational>>& settings = {});
+/// optional 'centre=..', a polynomial with an optional 'global'. \throws InputError
+WeightFunction read_weight(const std::string& text);
+/// The same text with another value of an argument. \throws InputError
+std::string with_argument(const std::string& text, const std::string& name, const Rational& value);
 /// One expression in u for each interval between two breaks; exact when all are polynomials. \throws InputError
 WeightFunction piecewise_weight(std::vector<Rational> breaks, std::vector<Expression> pieces);
 

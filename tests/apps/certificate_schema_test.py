@@ -101,6 +101,14 @@ claim = "C0"
 claim = "not C1"
 """
 
+# (1 + z^2) times the mask of the hat function, halved: its shifts are linearly dependent.
+UNSTABLE = """name = "unstable"
+kind = "uniform"
+[uniform]
+first_index = 0
+mask = ["1/4", "1/2", "1/2", "1/2", "1/4"]
+"""
+
 certificates = {path.name: json.loads(path.read_text()) for path in pathlib.Path(data).glob("*.json")}
 with tempfile.TemporaryDirectory() as directory:
     for name, text in (("one", ONE_SIDED), ("two", BY_COEFFICIENTS)):
@@ -117,12 +125,29 @@ with tempfile.TemporaryDirectory() as directory:
             path.rename(path.with_name(f"{scheme}.{claim}.{len(valences)}.json"))
     subprocess.run([limes, "verify", "unified", "--param", "theta=0", "--certificates", directory, "--quiet"], check=True,
                    stdout=subprocess.DEVNULL)
+    # Exact and enclosed exponents, with and without a proof of stability, and radii with and without blocks.
+    pathlib.Path(directory, "three.toml").write_text(UNSTABLE)
+    for name, word in (("pair", [[["1", "1"], ["0", "1"]], [["1", "0"], ["1", "1"]]]), ("turn", [[["3/5", "-4/5"], ["4/5", "3/5"]]])):
+        pathlib.Path(directory, name + ".txt").write_text(json.dumps(word))
+        subprocess.run([limes, "jsr", directory + f"/{name}.txt", "--digits", "3", "--certificates", directory, "--quiet"], check=True,
+                       stdout=subprocess.DEVNULL)
+    for arguments in (["four-point", "--param", "w=1/16"], ["deslauriers-dubuc-6"], ["six-point", "--param", "w=1/50", "--digits", "3"],
+                      [directory + "/three.toml"]):
+        subprocess.run([limes, "holder", *arguments, "--certificates", directory, "--quiet"], check=False, stdout=subprocess.DEVNULL)
+    for claim in ("only zero limits", "not C0", "C0", "projective C0", "not projective C0", "not projective C1", "projective C1"):
+        subprocess.run([limes, "verify", "cinpact-3", "--claim", claim, "--certificates", directory, "--quiet"], check=False, stdout=subprocess.DEVNULL)
+    subprocess.run([limes, "multiresolution", "chaikin", "--extension", "2", "--certificates", directory, "--quiet"], check=True, stdout=subprocess.DEVNULL)
     for path in pathlib.Path(directory).glob("*.json"):
         certificates[path.name] = json.loads(path.read_text())
 
-assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "N1", "N3", "S1", "S2", "E1", "E2"}
+assert {c["theorem"] for c in certificates.values()} == {"U1", "U2", "U3", "N1", "N3", "S1", "S2", "P0", "P1", "P2", "E1", "E2", "B1", "JSR"}
+assert {c["verdict"] for c in certificates.values() if c["theorem"] == "P0"} == {"certified", "refuted"}
 assert any("mirrored" in c["proof"] for c in certificates.values())
-assert any("coefficients" in c["scheme"] for c in certificates.values())
+assert any("coefficients" in c.get("scheme", {}) for c in certificates.values())
+for theorem in ("U3", "JSR"):
+    own = [c for c in certificates.values() if c["theorem"] == theorem]
+    assert {"polynomial" in c["claim"] for c in own} == {True, False}, f"{theorem}: exact and enclosed"
+assert any(c["theorem"] == "U3" and "upper" not in c["claim"] for c in certificates.values())
 for name, certificate in certificates.items():
     assert is_valid(certificate), f"{name} does not fit the schema"
 
@@ -135,7 +160,7 @@ def objects(value, path=()):
         yield from objects(child, path + (key,))
 
 
-OPTIONAL = {"c", "distances", "mirrored", "touch"}
+OPTIONAL = {"c", "distances", "mirrored", "touch", "polynomial in claim"}
 for name, certificate in certificates.items():
     for path in objects(certificate):
         changed = copy.deepcopy(certificate)
@@ -144,15 +169,15 @@ for name, certificate in certificates.items():
             target = target[step]
         for own in [*target.keys()]:
             kept = target.pop(own)
-            assert own in OPTIONAL or not is_valid(changed), f"{name} without {own} in {path} fits the schema"
+            assert own in OPTIONAL or " in ".join((own, *map(str, path))) in OPTIONAL or not is_valid(changed), f"{name} without {own} in {path} fits the schema"
             target[own] = {"kept": kept}
             assert not is_valid(changed), f"{name} with an object as {own} in {path} fits the schema"
             target[own] = kept
         target["more"] = 1
         assert not is_valid(changed), f"{name} with one more key in {path} fits the schema"
-    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "E1", "E2"):
+    for theorem in ("U1", "U2", "U3", "N1", "N2", "N3", "S1", "S2", "P0", "P1", "P2", "E1", "E2", "B1", "JSR"):
         for verdict in ("certified", "refuted", "undecided"):
-            if (theorem, verdict) == (certificate["theorem"], certificate["verdict"]):
+            if (theorem, verdict) == (certificate["theorem"], certificate.get("verdict")):
                 continue
             changed = copy.deepcopy(certificate)
             changed["theorem"], changed["verdict"] = theorem, verdict

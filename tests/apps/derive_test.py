@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """limes derive on the command line. Usage: derive_test.py LIMES CHECK"""
+from fractions import Fraction
 import json
 import os
 import subprocess
@@ -35,6 +36,45 @@ class Derive(unittest.TestCase):
         self.assertAlmostEqual(result["rounded"]["error"], 0.001974, places=6)
         self.assertEqual([row["claims"] for row in result["costs"]],
                          [["only zero limits", "projective C0", "not projective C1"], ["C1", "not C2"], ["C1", "not C2"]])
+
+    def test_exponents_are_enclosed(self):
+        result = derive("--weight", "interpolating-cinpact(c=7, sigma=7.77)", "--shifts", "-7..7", "--constraint", "interpolation", "--cost", "4")
+        rows = result["costs"]
+        self.assertNotIn("exponent", rows[0])
+        for row in rows[1:]:
+            lower, upper = Fraction(row["exponent"]), Fraction(row["exponent_upper"])
+            self.assertLess(upper - lower, Fraction(1, 20))
+        self.assertEqual(rows[4]["claims"], ["C3", "not C4"])
+        self.assertTrue(3 < Fraction(rows[4]["exponent"]) < Fraction(rows[4]["exponent_upper"]) < 4)
+        self.assertEqual({k: v for k, v in rows[1].items() if k != "sum_rules"}, {k: v for k, v in rows[2].items() if k != "sum_rules"}, "symmetric")
+
+    def test_nearly_positive_masks_have_exponents_by_norms(self):
+        rows = derive("--weight", "cinpact(c=5.158, sigma=28.48, centre=5.158)", "--shifts", "0..10", "--cost", "2")["costs"]
+        for row, k in zip(rows[1:], (1, 2)):
+            self.assertTrue(k - Fraction(2, 100) < Fraction(row["exponent"]) <= Fraction(row["exponent_upper"]) <= k)
+
+    def test_the_scheme_file_keeps_its_weight_function(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "best.toml")
+            first = derive("--weight", "cinpact(c=4, sigma=1)", "--optimise", "sigma=[1,40]", "--samples", "1001", "--constraint", "symmetry", "-o", file)
+            self.assertEqual(first["weight"], "cinpact(c=4, sigma=867/100)")
+            again = derive("--weight", file)
+            self.assertEqual((again["mask"], again["error"]), (first["mask"], first["error"]))
+            bump = os.path.join(folder, "bump.toml")
+            with open(bump, "w") as stream:
+                stream.write('name = "bump"\nkind = "weight"\n[weight]\npieces = [{on = "[-2,2]", value = "(1+cos(pi*u/2))^3"}]\nmethod = "integrals"\nsamples = 2001\n')
+            first = derive("--weight", bump, "-o", file)
+            self.assertEqual(derive("--weight", file)["mask"], first["mask"])
+            with open(file) as stream:
+                text = stream.read()
+            for wrong, message in (('samples = 1', "an integer from 2"), ('shifts = "1-2"', "expected FIRST..LAST"), ('colour = "red"', "unknown key 'colour' in [weight]")):
+                with open(file, "w") as stream:
+                    stream.write(text.replace("[weight]\n", "[weight]\n" + wrong + "\n").replace("samples = 2001\n", "" if wrong.startswith("samples") else "samples = 2001\n"))
+                for arguments in (("derive", "--weight", file), ("show", file)):
+                    status, output, errors = run(*arguments)
+                    self.assertEqual((status, output, errors.count("\n")), (2, "", 1), errors)
+                    self.assertIn(message, errors)
+                    self.assertIn("best.toml:", errors)
 
     def test_higher_precision_agrees(self):
         weight = ("--weight", "cinpact(c=4, sigma=8.67)", "--samples", "2001")

@@ -45,6 +45,11 @@ class Map(unittest.TestCase):
         for part in parts:
             self.assertIn(part, run.stderr)
 
+    def test_only_smoothness_of_the_scheme_itself(self):
+        for claim in ("projective C0", "not projective C1", "only zero limits", "not C1"):
+            self.assert_bad_input(self.map("four-point", "--claim", claim), "--claim", "C<m>")
+            self.assertFalse((self.dir / "certificates").exists())
+
     def test_json_and_certificates(self):
         run = self.map("four-point", "--claim", "C1", "--tolerance", "1/500", "--json", "--certificates", CERTIFICATES)
         self.assertEqual((run.returncode, run.stderr), (0, ""))

@@ -98,6 +98,11 @@ class Multiresolution(unittest.TestCase):
     def test_plot(self):
         self.result("multiresolution", "chaikin", "--extension", 8, "--plot", "e.svg", "--beside", "b-spline-3")
         self.assertIn("b-spline-3", (self.dir / "e.svg").read_text())
+        self.result("multiresolution", "chaikin", "--extension", 2, "--plot", "e.csv", "--beside", "b-spline-3")
+        lines = (self.dir / "e.csv").read_text().splitlines()
+        self.assertEqual(lines[0], "scheme,length,error")
+        self.assertEqual([line.rsplit(",", 1)[0] for line in lines[1:]], ["chaikin,4", "chaikin,6", "b-spline-3,6", "b-spline-3,8"])
+        self.assertAlmostEqual(float(lines[1].split(",")[2]), 0.53033, places=5)
 
     def test_wrong_schemes_and_options(self):
         self.assert_bad_input(self.limes("multiresolution", "cr2"), "uniform binary")

@@ -60,6 +60,7 @@ class Report(unittest.TestCase):
             shutil.move(self.dir / "r", self.dir / name)
         self.assertEqual(pdfs[0], pdfs[1])
         self.assertNotIn("report.log", pdfs[0])
+        self.assertIn("figures.pdf", pdfs[0])
         if shutil.which("pdftotext"):
             text = subprocess.run(["pdftotext", "-layout", self.dir / "a/report.pdf", "-"], capture_output=True, text=True, check=True).stdout
             for words in ("certified", "refuted", "Theorem U1", "Theorem N1", "2020-09-13", "Erratum", "References", "all digits are right"):
@@ -68,9 +69,9 @@ class Report(unittest.TestCase):
 
     @unittest.skipUnless(HAS_TEX, "no LaTeX")
     def test_no_overfull_boxes_and_no_undefined_references(self):
-        self.assertEqual(self.report("cr1", "a3-5-3-3", "ternary-four-point", "--no-pdf", "-o", "r").returncode, 0)
-        for _ in range(3):
-            subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "report.tex"], cwd=self.dir / "r", capture_output=True, check=True)
+        self.assertEqual(self.report("cr1", "a3-5-3-3", "ternary-four-point", "unified-curve", "--no-pdf", "-o", "r").returncode, 0)
+        for source in ("figures", "report", "report", "report"):
+            subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", source], cwd=self.dir / "r", capture_output=True, check=True)
         log = (self.dir / "r/report.log").read_text(errors="replace")
         self.assertNotIn("There were undefined", log)
         tolerance = 5.0  # points
@@ -108,6 +109,29 @@ class Report(unittest.TestCase):
         run = self.report("chaikin", "-o", "r", env={"PATH": str(tools)})
         self.assertEqual(run.returncode, 2)
         self.assertIn("--no-pdf", run.stderr)
+
+    @unittest.skipUnless(HAS_TEX, "no LaTeX")
+    def test_plots_of_pgfplots_compile_too(self):
+        self.assertEqual(self.report("chaikin", "--no-pdf", "-o", "r").returncode, 0)
+        done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "report"], cwd=self.dir / "r", capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("figures/chaikin-limit-1.pgf", done.stdout.replace("\n", ""))
+
+    def test_nonstationary_and_surface_schemes(self):
+        run = self.report("exponential-b-spline-3", "unified", "--no-pdf", "--json", "-o", "r")
+        self.assertEqual(run.stderr, "")
+        files = self.files("r")
+        self.assertIn("figures/exponential-b-spline-3-angles-1.svg", files)
+        self.assertIn("figures/unified-surfaces-1.svg", files)
+        text = files["report.tex"].decode()
+        self.assertIn("Every step generates the functions", text)
+        self.assertIn("Undecided:", text)
+
+    def test_directory_that_cannot_be_made(self):
+        (self.dir / "file").write_text("")
+        run = self.report("chaikin", "--no-pdf", "-o", "file/r")
+        self.assertEqual(run.returncode, 2)
+        self.assertRegex(run.stderr, r"^limes: .*file/r")
 
     def test_bad_usage_and_status(self):
         self.assertEqual(self.report("four-point").returncode, 2)

@@ -93,6 +93,24 @@ class Tables(unittest.TestCase):
         errata = [row["entry"] for row in tables["karciauskas-peters-2013-table-1"]["rows"] if row["status"] == "erratum"]
         self.assertEqual(errata, ["10-point e_2", "10-point e_3", "6-point: widest range of C2 certified to",
                                   "6-point: widest range of C2 refuted from"])
+        # Bari et al. 2021: Table 3 is right but for four of its sixteen numbers (the third column repeats the second).
+        name = "bari-et-al-2021-table-{}".format
+        errata = [row["entry"] for row in tables[name(3)]["rows"] if row["status"] == "erratum" and "third" not in row["entry"]]
+        self.assertEqual(errata, ["n = 5 fourth", "n = 7 second", "n = 10 second", "n = 10 fourth"])
+        # The others belong to no level, for reasons that can be seen: 1/2 at valence 4 ...
+        for number in (1, 2, 4, 5):
+            rows = {row["entry"]: row for row in tables[name(number)]["rows"]}
+            wrong = {entry for entry, row in rows.items() if row["status"] == "erratum"}
+            self.assertEqual(wrong, {entry for entry in rows if not entry.endswith("first")})
+            for level in ("level 0", "level 1", "level 2", "level 3", "levels from 4 on"):
+                self.assertEqual(rows[f"n = 4, {level} second"]["computed"], "1/2")
+                self.assertEqual(rows[f"n = 8, {level} fourth"]["computed"], "1/2")
+                # ... block 2 of valence 6 or 10 is block 1 of valence 3 or 5 ...
+                self.assertEqual(rows[f"n = 6, {level} fourth"]["computed"], rows[f"n = 3, {level} second"]["computed"])
+                self.assertEqual(rows[f"n = 10, {level} fourth"]["computed"], rows[f"n = 5, {level} second"]["computed"])
+        # ... and Table 5 repeats a row of Table 4.
+        third = [[row["published"] for row in tables[name(number)]["rows"] if row["entry"].endswith("level 0 third")] for number in (4, 5)]
+        self.assertEqual(third[0], third[1])
 
 
 if __name__ == "__main__":

@@ -33,6 +33,21 @@ inline std::map<std::string, Json> valid_certificates() {
   return result;
 }
 
+struct Range {
+  double low, high;
+};
+
+/// The ends of an interval, widened to closed; only for intervals that the checker accepted.
+inline Range range(const std::string& text) {
+  const auto number = [](const std::string& t) {
+    const auto slash = t.find('/');
+    return std::stod(t) / (slash == std::string::npos ? 1 : std::stod(t.substr(slash + 1)));
+  };
+  if (text[0] != '[' && text[0] != '(') return {number(text), number(text)};
+  const auto comma = text.find(',');
+  return {number(text.substr(1, comma - 1)), number(text.substr(comma + 1))};
+}
+
 struct Claim {
   std::vector<std::string> parameters;
   std::vector<std::string> mask;

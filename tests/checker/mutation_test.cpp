@@ -13,21 +13,6 @@ using namespace limes::test;
 
 namespace {
 
-struct Range {
-  double low, high;
-};
-
-/// The ends of an interval, widened to closed; only for intervals that the checker accepted.
-Range range(const std::string& text) {
-  const auto number = [](const std::string& t) {
-    const auto slash = t.find('/');
-    return std::stod(t) / (slash == std::string::npos ? 1 : std::stod(t.substr(slash + 1)));
-  };
-  if (text[0] != '[' && text[0] != '(') return {number(text), number(text)};
-  const auto comma = text.find(',');
-  return {number(text.substr(1, comma - 1)), number(text.substr(comma + 1))};
-}
-
 /// A floating-point reader of expressions that are known to be well-formed, to see which masks are the same.
 class Value {
  public:

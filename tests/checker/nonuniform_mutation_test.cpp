@@ -11,20 +11,6 @@ using namespace limes::test;
 
 namespace {
 
-struct Range {
-  double low, high;
-};
-
-Range range(const std::string& text) {
-  const auto number = [](const std::string& t) {
-    const auto slash = t.find('/');
-    return std::stod(t) / (slash == std::string::npos ? 1 : std::stod(t.substr(slash + 1)));
-  };
-  if (text[0] != '[' && text[0] != '(') return {number(text), number(text)};
-  const auto comma = text.find(',');
-  return {number(text.substr(1, comma - 1)), number(text.substr(comma + 1))};
-}
-
 /// Whether "C^m", or "not C^m", holds for all w in the range.
 using Fact = std::function<bool(bool negated, int m, Range w)>;
 

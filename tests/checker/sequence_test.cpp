@@ -323,6 +323,15 @@ TEST(SequenceCertificates, MutantsAreRejectedOrTrue) {
   EXPECT_GT(mutants, 1000);
 }
 
+TEST(SequenceCertificates, AHugeParametrisationCostsItsWork) {
+  // tau = a'(1)/2 has 9990 digits; the moments of degree 16 took minutes although every single entry but one is 1.
+  std::vector<std::string> mask(1023, "1");
+  mask.push_back("1" + std::string(9990, '0'));
+  Json json = defects(mask, "does not generate {y^16, y^16, y^16}", Json::array({}), "(0, 1]");
+  for (int k = 0; k < 3; ++k) json["proof"]["defects"].push_back(defect(1, 16, "even"));
+  expect_invalid(json, "limits");
+}
+
 TEST(SequenceCertificates, WorkIsBounded) {
   Json json = reproduction(unified, "reproduces {y^16 cos(16y)}");
   json["scheme"]["first_index"] = 1000000;

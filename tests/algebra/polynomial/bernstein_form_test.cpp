@@ -144,10 +144,12 @@ TEST(BernsteinForm, StrictSignOffOpenFaces) {
   EXPECT_EQ(sign(c(1, -3), open), -1);
   // A first coefficient of the wrong sign, however small, is no zero.
   EXPECT_EQ(sign(t - c(1, Rational(1) / 1000000000), open_low), 0);
-  // Coefficients 0, 1/3, 0, 1: a zero beyond the strip is not strict, although p > 0.
+  // Coefficients 0, 1/3, 0, 1: zeros inside do no harm where the closed end has none.
   const P gap = t * (Rational(2) * t * t - Rational(2) * t + one);
   EXPECT_EQ(BernsteinForm(gap, {open_low}).coefficients(), (std::vector<Rational>{0, Rational(1) / 3, 0, 1}));
-  EXPECT_EQ(sign(gap, open_low), 0);
+  EXPECT_EQ(sign(gap, open_low), 1);
+  EXPECT_EQ(sign(gap, open), 1);
+  EXPECT_EQ(sign(gap, open_high), 0);
   // In an elevated multidegree the strips stay zero.
   EXPECT_EQ(BernsteinForm(t * t, {open_low}, {6}).strict_sign_off_open_faces(), 1);
 }
@@ -159,8 +161,17 @@ TEST(BernsteinForm, StrictSignOffOpenFacesInTwoVariables) {
   EXPECT_EQ(sign(s * t * (one + s + t), {open_low, open_low}), 1);
   EXPECT_EQ(sign(s * t * (one + s + t), {open_low, closed}), 0);
   EXPECT_EQ(sign(s * (one + t), {open_low, closed}), 1);
-  // s + t vanishes at one corner only: no power of s or t divides it, so it is not shown (though true off the faces).
-  EXPECT_EQ(sign(s + t, {open_low, open_low}), 0);
+  // s + t vanishes at one corner only, which one open end is enough to exclude.
+  EXPECT_EQ(sign(s + t, {open_low, open_low}), 1);
+  EXPECT_EQ(sign(s + t, {open_low, closed}), 1);
+  EXPECT_EQ(sign(s + t, {closed, closed}), 0);
+  EXPECT_EQ(sign(s + (one - t), {open_low, closed}), 1);
+  EXPECT_EQ(sign(s + (one - t), {closed, open_low}), 0);
+  // s t + (1-s)(1-t) vanishes at two corners, s (1-t) on two edges.
+  EXPECT_EQ(sign(s * t + (one - s) * (one - t), {open_low, closed}), 0);
+  EXPECT_EQ(sign(s * t + (one - s) * (one - t), {{0, 1, true, true}, closed}), 1);
+  EXPECT_EQ(sign(s * (one - t), {open_low, closed}), 0);
+  EXPECT_EQ(sign(s * (one - t), {open_low, {0, 1, false, true}}), 1);
   EXPECT_EQ(sign(s * t, {open_low, Interval::point(2)}), 1);
   EXPECT_EQ(sign(s * t, {open_low, Interval::point(0)}), 0);
 }

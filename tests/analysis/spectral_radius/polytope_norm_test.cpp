@@ -1,26 +1,15 @@
 #include "analysis/spectral_radius/polytope_norm.hpp"
 
 #include "analysis/spectral_radius/leading_words.hpp"
+#include "tests/analysis/spectral_radius/families.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 using namespace limes;
-
-namespace {
-
-RationalMatrix matrix(const std::vector<std::vector<Rational>>& rows) {
-  RationalMatrix result(int(rows.size()), int(rows.front().size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < rows[i].size(); ++j) result(int(i), int(j)) = rows[i][j];
-  }
-  return result;
-}
-
-MatrixFamily golden() { return {matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})}; }
-
-}  // namespace
+using test::golden;
+using test::matrix;
 
 TEST(LeadingWords, GoldenRatioPair) {
   const std::vector<LeadingWord> words = approx_leading_words(golden(), {}, 1e-9, {});

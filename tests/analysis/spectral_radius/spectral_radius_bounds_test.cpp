@@ -1,4 +1,5 @@
 #include "analysis/spectral_radius/spectral_radius_bounds.hpp"
+#include "tests/analysis/spectral_radius/families.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,16 +8,9 @@
 #include <random>
 
 using namespace limes;
+using test::matrix;
 
 namespace {
-
-RationalMatrix matrix(const std::vector<std::vector<Rational>>& rows) {
-  RationalMatrix result(int(rows.size()), int(rows.front().size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < rows[i].size(); ++j) result(int(i), int(j)) = rows[i][j];
-  }
-  return result;
-}
 
 MatrixFamily random_family(std::mt19937& random, int n, int count) {
   std::uniform_int_distribution<int> entry(-3, 3);
@@ -64,6 +58,13 @@ TEST(SpectralRadiusBounds, GoldenRatioIsFoundExactly) {
   EXPECT_EQ(bounds.exact->polynomial, Polynomial({-1, -1, 1}));
   EXPECT_EQ(bounds.word, (Word{0, 1}));
   expect_proved(bounds, family);
+}
+
+TEST(SpectralRadiusBounds, Gripenberg1996Example) {
+  const SpectralRadiusBounds bounds = bound(test::gripenberg(), 6, 1000);
+  expect_proved(bounds, test::gripenberg());
+  EXPECT_GE(bounds.lower, Rational(6596789, 10000000));
+  EXPECT_LE(bounds.upper, Rational(6596924, 10000000));
 }
 
 TEST(SpectralRadiusBounds, RankOnePair) {

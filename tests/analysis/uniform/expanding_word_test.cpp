@@ -87,5 +87,19 @@ TEST(ExpandingWord, SignsAreTheCharacteristicPolynomialAtOneAndMinusOne) {
   }
 }
 
+TEST(ExpandingWord, TheDeterminantIsThatOfPairsOfEigenvalues) {
+  const RationalFunction w = RationalFunction::variable(1, 0), one = RationalFunction::constant(1, 1);
+  const FiniteSections sections({1, 0, {w, one, -one, w * w}}, 2);
+  for (const std::vector<int>& word : {std::vector<int>{0}, {0, 1}}) {
+    const MultivariatePolynomial determinant = expansion_determinant(sections, word);
+    for (int k = -4; k <= 4; ++k) {
+      const std::vector<Rational> point{Rational(k) / 5};
+      if (determinant(point) <= 0) {
+        EXPECT_TRUE(exact_expands(sections, word, point));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace limes

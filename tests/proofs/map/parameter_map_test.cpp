@@ -55,6 +55,16 @@ TEST(ParameterMap, RationalBoundariesAreFoundExactly) {
   EXPECT_EQ(text(scheme, map), "refuted [-1/3, 1/15]; certified (1/15, 1/9); refuted [1/9, 1/3]");
 }
 
+TEST(ParameterMap, AClosedEndInTheLimitOfSmallRatios) {
+  // A^{1,3:1}: at w = 1/8 an eigenvalue at an isolated knot ratio tends to 1/2 with the ratio to 0, and is never there.
+  const Scheme scheme = load("a1-3-1");
+  const ParameterMap map = map_parameters(scheme, 1, scheme.parameter_box(), within("1/1000"));
+  EXPECT_TRUE(map.complete);
+  expect_partition(map, scheme.parameter_box());
+  const std::string found = text(scheme, map);
+  EXPECT_EQ(found.substr(0, found.find("; undecided")), "refuted 0; certified (0, 1/8]");
+}
+
 TEST(ParameterMap, AlgebraicBoundariesAreEnclosed) {
   // Hechler, Moessner & Reif 2009: C^1 exactly for 0 < w < w*, 32 w*^3 + 4 w* = 1.
   const Scheme scheme = load("four-point");

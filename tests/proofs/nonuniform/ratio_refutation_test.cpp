@@ -28,6 +28,15 @@ TEST(RatioRefutation, SmoothnessOneOrderHigher) {
   EXPECT_EQ(decide(catalogue("cu2-4"), "not C2", "[33/1000, 1/25]").outcome, Outcome::certified);
 }
 
+// The ranges of A^{1,3:1} and cu^{2,4} end where an eigenvalue tends to 2^{-m} with the ratio to 0: they are closed there, and what
+// lies beyond is refuted at tiny ratios only.
+TEST(RatioRefutation, RangesThatEndInTheLimitOfSmallRatios) {
+  EXPECT_EQ(decide(catalogue("a1-3-1"), "C1", "(0, 1/8]").outcome, Outcome::certified);
+  EXPECT_EQ(decide(catalogue("a1-3-1"), "not C1", "[125000001/1000000000, 1/4]").outcome, Outcome::certified);
+  EXPECT_EQ(decide(catalogue("cu2-4"), "C2", "(0, 1/32]").outcome, Outcome::certified);
+  EXPECT_EQ(decide(catalogue("cu2-4"), "not C2", "[31251/1000000, 1/10]").outcome, Outcome::certified);
+}
+
 // Conjugate eigenvalues, which no sign at a real number shows.
 TEST(RatioRefutation, ConjugatePairs) {
   const Verdict verdict = decide(catalogue("a3-5"), "not C3", "[157/10000, 1/50]");

@@ -3,6 +3,7 @@
 #include "algebra/number/read_rational.hpp"
 #include "proofs/checker/checker.hpp"
 #include "schemes/catalogue.hpp"
+#include "tests/analysis/spectral_radius/families.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,8 @@
 #include <fstream>
 
 using namespace limes;
+using test::golden;
+using test::matrix;
 
 namespace {
 
@@ -23,14 +26,6 @@ void keep(const std::string& name, const std::string& text) {
   std::ofstream(directory / (name + ".json")) << text;
 }
 
-RationalMatrix matrix(const std::vector<std::vector<Rational>>& rows) {
-  RationalMatrix result(int(rows.size()), int(rows.front().size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < rows[i].size(); ++j) result(int(i), int(j)) = rows[i][j];
-  }
-  return result;
-}
-
 std::string jsr_certificate(const MatrixFamily& family, int digits) {
   return prove_spectral_radius(family, bound_spectral_radius(family, {digits, {}}, {}));
 }
@@ -40,7 +35,6 @@ std::string holder_certificate(const std::string& name, const std::vector<Ration
   return prove_hoelder_exponent(scheme, point, bound_hoelder_exponent(at(scheme.mask, point), 6, {}, {}));
 }
 
-MatrixFamily golden() { return {matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})}; }
 MatrixFamily blocks() {
   return {matrix({{1, 5, 7}, {0, 1, 1}, {0, 0, Rational(1, 2)}}), matrix({{1, 0, 3}, {1, 1, 0}, {0, 0, Rational(1, 3)}})};
 }
@@ -149,6 +143,45 @@ TEST(RadiusCertificate, ChangesOfAnExactPolytopeAreRejected) { expect_changes_re
 TEST(RadiusCertificate, ChangesOfBlocksAreRejected) { expect_changes_rejected(jsr_certificate(blocks(), 6)); }
 TEST(RadiusCertificate, ChangesOfAComplexPolytopeAreRejected) { expect_changes_rejected(jsr_certificate(rotation(), 6)); }
 TEST(RadiusCertificate, ChangesOfAnExponentAreRejected) { expect_changes_rejected(holder_certificate("four-point", {Rational(1, 16)})); }
+
+/// Symmetric with one sum rule, the next being missed by 1/1000: all products of the sections have nearly the same radius.
+std::string near_sum_rule_certificate() {
+  Scheme scheme;
+  scheme.name = "near-sum-rule";
+  std::vector<Rational> mask;
+  for (const int c : {4, 121, 484, 891, 996, 699, 296, 79, 20, 10}) mask.push_back(Rational(c) / 1800);
+  scheme.mask = {2, LaurentPolynomial::from_rationals(-4, mask)};
+  PolytopeLimits limits;
+  limits.max_vectors = 4;
+  const HoelderExponent exponent = bound_hoelder_exponent(scheme.mask, 2, limits, {});
+  EXPECT_TRUE(exponent.level && exponent.bounds.lower && exponent.bounds.upper);
+  return prove_hoelder_exponent(scheme, {}, exponent);
+}
+
+TEST(RadiusCertificate, ExponentsByNorms) {
+  const std::string text = near_sum_rule_certificate();
+  keep("near-sum-rule", text);
+  Json json = Json::parse(text);
+  EXPECT_TRUE(json["proof"]["radius"].contains("level"));
+  int rejected = 0;
+  for_each_change(json, json, "", [&](const std::string& change) {
+    if (!valid(json))
+      ++rejected;
+    else  // weaker claims and levels that prove them
+      EXPECT_TRUE(change.starts_with("/scheme/name") || change.starts_with("/scheme/first_index") || change.starts_with("/claim/lower") ||
+                  change.starts_with("/claim/upper") || change.starts_with("/proof/radius")) << change;
+  });
+  EXPECT_GT(rejected, 50);
+  const Json original = json;
+  json["proof"]["radius_upper"] = json["proof"]["radius_lower"];
+  EXPECT_FALSE(valid(json)) << "no norm proves a bound as small as that";
+  json = original;
+  json["proof"]["radius"]["level"] = 1;
+  EXPECT_FALSE(valid(json)) << "the first norm is not enough";
+  json = original;
+  json["claim"]["polynomial"] = {"1", "-1"};
+  EXPECT_FALSE(valid(json)) << "norms give no exact exponent";
+}
 
 TEST(RadiusCertificate, SlightlyStrongerClaimsAreRejected) {
   Json json = Json::parse(holder_certificate("deslauriers-dubuc-6", {}));

@@ -37,7 +37,9 @@ TEST(RichText, Markup) {
 }
 
 TEST(RichText, ProseFindsSmoothnessAndPowers) {
-  EXPECT_EQ(kinds(prose("C2 ends, 32 w^3 + 4 w >= 1; 2^-3, sigma^1, XC2 C2x")), "m:C^{2}|p: ends, 32 |m:w^{3}|p: + 4 w |m:\\ge|p: 1; |m:2^{-3}|p:, |m:\\sigma^{1}|p:, XC2 C2x|");
+  EXPECT_EQ(kinds(prose("C2 ends, 32 w^3 + 4 w >= 1; 2^-3, sigma^1, XC2 C2x")), "m:C^{2}|p: ends, |m:32\\,w^{3}+4\\,w\\ge 1|p:; |m:2^{-3}|p:, |m:\\sigma^{1}|p:, XC2 C2x|");
+  EXPECT_EQ(kinds(prose("at w* = 0.192..., a 12-point six-point, degree 5 and 4")), "p:at |m:w^{*}=0.192\\ldots|p:, a 12-point six-point, degree 5 and 4|");
+  EXPECT_EQ(kinds(prose("cinpact(c=2.5, sigma=-7), above 1/32")), "p:cinpact(|m:c=2.5|p:, |m:\\sigma=-7|p:), above |m:1/32|");
   EXPECT_EQ(kinds(prose("$50 & `x`")), "p:$50 & `x`|") << "the words of others are no markup";
 }
 
@@ -80,11 +82,16 @@ TEST(Latex, EscapesAndRefers) {
 
 TEST(Latex, FragmentNeedsNoPackage) {
   const std::string text = to_latex(example(), references, {.fragment = true, .date = {}});
-  for (const char* command : {"\\documentclass", "\\usepackage", "\\hyperref", "\\cite", "align", "longtable", "\\begin{proof}", "\\lVert"}) {
+  for (const char* command : {"\\documentclass", "\\usepackage", "\\hyperref", "\\cite", "align", "longtable", "\\begin{proof}"}) {
     EXPECT_THAT(text, Not(HasSubstr(command)));
   }
   EXPECT_THAT(text, HasSubstr("[Dyn 1992]"));
   EXPECT_THAT(text, HasSubstr("Proposition 1"));
+}
+
+TEST(Latex, CitationsInARowAreOne) {
+  const Document document{.title = "T", .subtitle = {}, .blocks = {Paragraph{rich("See [@Dyn1992], [@DynLevin2002] and [@Warren1995].")}}};
+  EXPECT_THAT(to_latex(document, references), HasSubstr("See \\cite{Dyn1992,DynLevin2002} and \\cite{Warren1995}."));
 }
 
 TEST(Markdown, NumbersStatementsAndKeepsTablesWhole) {
@@ -93,6 +100,7 @@ TEST(Markdown, NumbersStatementsAndKeepsTablesWhole) {
   EXPECT_THAT(text, HasSubstr("## 1. On $C^2$"));
   EXPECT_THAT(text, HasSubstr("| name | $\\vert x\\vert $ |"));
   EXPECT_THAT(text, HasSubstr("**Proposition 1.1.** It holds."));
+  EXPECT_THAT(text, HasSubstr("```\n\n∎"));
   EXPECT_THAT(text, HasSubstr("- \\[Dyn 1992\\] Nira Dyn. *Schemes*."));
 }
 

@@ -58,7 +58,7 @@ std::size_t count(const std::string& text, const std::string& word) {
 }
 
 TEST(Plot, EqualPlotsGiveEqualBytesInEveryLocale) {
-  const auto all = [] { return to_svg(example()) + to_pgf(example()) + to_png(example()); };
+  const auto all = [] { return to_svg(example()) + to_pgf(example()) + to_tex_page(example()) + to_png(example()); };
   const std::string first = all();
   std::setlocale(LC_ALL, "de_DE.UTF-8");
   EXPECT_EQ(all(), first);
@@ -87,6 +87,25 @@ TEST(Plot, PgfHasEveryItemAndEscapesTexts) {
   }
   EXPECT_EQ(count(pgf, "{"), count(pgf, "}"));
   EXPECT_EQ(count(pgf, "\\begin{"), count(pgf, "\\end{"));
+}
+
+TEST(Plot, TexPageHasEveryItemAndEscapesTexts) {
+  const std::string page = to_tex_page(example());
+  EXPECT_THAT(page, HasSubstr("{\\limestitle Title \\& \\textless{}more\\textgreater{} of $\\gamma$ 100\\%}"));
+  for (const char* part : {"\\limespage{", "{cell}", "{curve}", "{comb}", "{here}", "[4 3] 0 d", " rg\n", " RG\n", "\\limesupwards"}) {
+    EXPECT_THAT(page, HasSubstr(part));
+  }
+  EXPECT_EQ(count(page, "{"), count(page, "}"));
+  EXPECT_EQ(count(page, "q "), count(page, "Q\n"));
+  EXPECT_GT(depth_below_area(example()), 0);
+}
+
+TEST(Plot, TicksAsGiven) {
+  Plot plot;
+  plot.y = {.lower = 0, .upper = 2, .ticks = {{{1, "$C^{1}$"}}}};
+  EXPECT_THAT(to_pgf(plot), HasSubstr("ytick={1}, yticklabels={$C^{1}$}"));
+  EXPECT_THAT(to_svg(plot), HasSubstr(">C^{1}<"));
+  EXPECT_THAT(to_tex_page(plot), HasSubstr("{$C^{1}$}"));
 }
 
 TEST(Plot, PngShowsRegionsWithoutSeams) {
@@ -142,7 +161,7 @@ TEST(Plot, TicksAreRoundAndInside) {
     const plot_impl::Layout layout = plot_impl::layout(plot);
     EXPECT_GE(layout.x.ticks.size(), 3u) << lower;
     EXPECT_LE(layout.x.ticks.size(), 12u) << lower;
-    for (const plot_impl::Tick& tick : layout.x.ticks) {
+    for (const PlotTick& tick : layout.x.ticks) {
       EXPECT_NEAR(std::stod(tick.text), tick.value, 1e-5 * std::max(std::abs(lower), std::abs(upper)));
       EXPECT_GE(layout.x.place(tick.value), -1e-6);
       EXPECT_LE(layout.x.place(tick.value), 1 + 1e-6);

@@ -2,6 +2,7 @@
 
 #include "proofs/prove.hpp"
 #include "reports/proof/formulas.hpp"
+#include "reports/proof/sections_impl.hpp"
 
 #include <gmock/gmock.h>
 
@@ -43,46 +44,19 @@ erratum = "C1 ends at w* = 0.19272"
 
 TEST(ProofReport, DefinitionVerdictsAndProofs) {
   const std::string text = latex_of(four_point);
-  EXPECT_THAT(text, HasSubstr("q_{2i+1}&=-w\\,p_{i-1}+\\left(w+\\frac{1}{2}\\right)p_{i}"));
-  EXPECT_THAT(text, HasSubstr("a(z)&=(1+z)^{2}\\,2^{-1}\\,b(z),"));
+  EXPECT_THAT(text, HasSubstr("q_{2i+1}&=-w\\,p_{i-1}+(w+\\tfrac{1}{2})\\,p_{i}"));
+  EXPECT_THAT(text, HasSubstr("a(z)&=2^{-1}(1+z)^{2}\\,b(z),"));
   EXPECT_THAT(text, HasSubstr("For $w=1/16$ the scheme is $C^{1}$."));
   EXPECT_THAT(text, HasSubstr("=3/4=0.75<1")) << "the norm for l = 2";
   EXPECT_THAT(text, HasSubstr("For no $w\\in[0,1/4]$ the scheme is $C^{2}$."));
   EXPECT_THAT(text, HasSubstr("It is false that for every $w\\in[1/1000,1/5]$"));
-  EXPECT_THAT(text, HasSubstr("\\begin{erratum}\n$C^{1}$ ends at w* = 0.19272."));
+  EXPECT_THAT(text, HasSubstr("\\begin{erratum}\n$C^{1}$ ends at $w^{*}=0.19272$."));
   EXPECT_THAT(text, HasSubstr("exactly $C^{1}$ for $w=1/16$"));
   EXPECT_THAT(text, HasSubstr("Of $3$ claims about $1$ scheme, $2$ are certified, $1$ refuted, and $0$ undecided."));
 }
 
-constexpr const char* surface = R"toml(name = "mine"
-title = "Mine"
-kind = "surface"
-[surface]
-curve = "b-spline-2"
-[surface.rules]
-"0,0" = "1/4*at(0,0) + 3/4*mean(0,0) + 1/2*harmonic(1,0,0)"
-[[claims]]
-claim = "spectral-condition"
-valence = "[3, 8]"
-[[claims]]
-claim = "C1"
-valence = "[3, inf)"
-)toml";
-
-/// A spectral condition is no smoothness, and C1 at extraordinary faces is no C1 of a curve scheme.
-TEST(ProofReport, SurfacesSayWhereAndForWhichNets) {
-  const std::string text = latex_of(surface);
-  EXPECT_THAT(text, HasSubstr("The spectral condition holds at isolated extraordinary faces of the valences $n=3,\\dots,8$."));
-  EXPECT_THAT(text, HasSubstr("Near isolated extraordinary faces of every valence $n\\ge3$ the limit surface of almost every control net is $C^{1}$."));
-  EXPECT_THAT(text, HasSubstr("$3\\le n\\le8$"));
-  EXPECT_THAT(text, HasSubstr("It alone does not prove $C^1$"));
-  EXPECT_THAT(text, HasSubstr("have it enclosed, for all their points at once"));
-  EXPECT_THAT(text, HasSubstr("Characteristic maps of the limit rules"));
-  EXPECT_THAT(text, testing::Not(HasSubstr("The scheme is")));
-}
-
 TEST(ProofReport, EveryReferenceHasItsLabel) {
-  const std::string text = latex_of(four_point) + latex_of(surface);
+  const std::string text = latex_of(four_point);
   for (std::size_t at = 0; (at = text.find("\\hyperref[", at)) != std::string::npos; ++at) {
     const std::string label = text.substr(at + 10, text.find(']', at) - at - 10);
     EXPECT_THAT(text, HasSubstr("\\label{" + label + "}"));
@@ -110,7 +84,101 @@ region = { w = "1/4" }
   EXPECT_THAT(text, HasSubstr("is of size $7\\times7$"));
   EXPECT_THAT(text, HasSubstr("(\\lambda-1)(\\lambda-\\tfrac1{2})"));
   EXPECT_THAT(text, HasSubstr("For $w=1/16$ the scheme is $C^{1}$, for every knot sequence."));
-  EXPECT_THAT(text, HasSubstr("For $w=1/4$ the scheme is not $C^{1}$ for all knot sequences."));
+  EXPECT_THAT(text, HasSubstr("For $w=1/4$ the scheme is not $C^{1}$ over some knot sequence."));
+}
+
+TEST(ProofReport, RulesAreFormulas) {
+  const InsertionRuleText text{.points = 6, .let = {{"cr1", {"hermite(1, f(2,0), f(2,1))", 0}}, {"omega", {"576*w-2", 0}}},
+                               .new_point = {"omega*at(degree(4, cr1),1/2) - (1-omega)/2*dot([1/12,5/6,0,5/6,1/12], join(2, cr1))", 0}, .coefficients = {}};
+  Document document{.title = "", .subtitle = {}, .blocks = report_impl::rule_text(text)};
+  const std::string latex = to_latex(document, {});
+  EXPECT_THAT(latex, HasSubstr("\\mathit{cr}_{1}&=\\mathrm{hermite}_{1}(f^{2}_{i},\\,f^{2}_{i+1}),"));
+  EXPECT_THAT(latex, HasSubstr("\\omega&=576\\,w-2,"));
+  EXPECT_THAT(latex, HasSubstr("\\omega\\,\\mathrm{degree}_{4}(\\mathit{cr}_{1})(\\tfrac{1}{2})-\\tfrac{1-\\omega}{2}\\,(\\tfrac{1}{12},"));
+  EXPECT_THAT(latex, HasSubstr("made $C^r$ at the knots"));
+  EXPECT_THAT(latex, testing::Not(HasSubstr("halved intervals"))) << "only the words that the rule uses are explained";
+}
+
+TEST(ProofReport, ExponentsWithTheirProofs) {
+  ReportedScheme reported = decided(four_point);
+  std::vector<Claim> claims;
+  for (const DecidedClaim& one : reported.claims) claims.push_back(one.claim);
+  const auto points = exponent_points(reported.scheme, claims);
+  ASSERT_EQ(points, (std::vector<std::vector<Rational>>{{Rational(1) / 16}}));
+  reported.exponents.push_back(*decide_exponent(reported.scheme, points.front()));
+  const std::string text = to_latex(proof_report({reported}, {}), {});
+  EXPECT_THAT(text, HasSubstr("For $w=1/16$ the H\u00f6lder exponent is exactly $2$."));
+  EXPECT_THAT(text, HasSubstr("\\varrho=\\rho("));
+  EXPECT_THAT(text, HasSubstr("\\label{theorem-U3}"));
+}
+
+TEST(ProofReport, MapOfTheClaims) {
+  const Document document = proof_report({decided(four_point)}, {});
+  const Figure* map = nullptr;
+  for (const Figure* figure : figures(document)) {
+    if (figure->name == "mine-map") map = figure;
+  }
+  ASSERT_NE(map, nullptr);
+  EXPECT_THAT(map->panels.front().data, HasSubstr("1,certified,1/16,1/16,closed,closed"));
+  EXPECT_THAT(map->panels.front().data, HasSubstr("2,refuted,0,1/4,closed,closed"));
+  EXPECT_THAT(map->panels.front().data, HasSubstr("1,refuted,1/5,1/5,closed,closed"));
+}
+
+TEST(ProofReport, NonstationarySchemes) {
+  const std::string text = latex_of(R"toml(name = "sequence"
+kind = "nonstationary"
+[nonstationary]
+types = { trigonometric = ["0", "2"] }
+first_index = -1
+mask = ["1/(2*(1+mu))", "(1+2*mu)/(2*(1+mu))", "(1+2*mu)/(2*(1+mu))", "1/(2*(1+mu))"]
+[[claims]]
+claim = "C1"
+)toml");
+  EXPECT_THAT(text, HasSubstr("\\mu_k=\\cos(\\theta\\,2^{-(k+1)})"));
+  EXPECT_THAT(text, HasSubstr("\\limesplot{sequence-angles-1}"));
+}
+
+TEST(ProofReport, MaskOfAWeightFunction) {
+  ReportedScheme reported = decided(R"(name = "degree-6"
+kind = "uniform"
+source = "MoltajiRunionsSamavati2016"
+[uniform]
+mask = ["0.218601", "0.487201", "0.593167", "0.487201", "0.218601"]
+[weight]
+function = "polynomial(64-48*u^2+12*u^4-u^6, domain=[-2,2])"
+samples = 501
+[[claims]]
+claim = "only zero limits"
+[[claims]]
+claim = "not C0"
+[[claims]]
+claim = "projective C0"
+[[claims]]
+claim = "not projective C1"
+)");
+  reported.weight = study_weight(reported.scheme, {});
+  reported.filters = decide_filters(reported.scheme, 4, {});
+  ASSERT_TRUE(reported.filters);
+  EXPECT_GE(reported.weight->error, reported.weight->derived.least_error);
+  const Document document = proof_report({reported}, {});
+  const std::string text = to_latex(document, {});
+  EXPECT_THAT(text, HasSubstr("differ from $1$ by $30369/1000000$ and $-12799/500000$, exactly"));
+  EXPECT_THAT(text, HasSubstr("What smoothness costs"));
+  EXPECT_THAT(text, HasSubstr("not $C^{3}$"));
+  EXPECT_THAT(text, HasSubstr("has a real eigenvalue of at least $1$"));
+  EXPECT_THAT(text, HasSubstr("multiply the oscillation of the points of a window by at most $q="));
+  EXPECT_THAT(text, HasSubstr("|\\lambda_2/\\lambda_1|^{1/"));
+  EXPECT_THAT(text, HasSubstr("Theorem B1"));
+  EXPECT_THAT(text, HasSubstr("These filters are biorthogonal"));
+  std::vector<std::string> names;
+  for (const Figure* figure : figures(document)) names.push_back(figure->name);
+  EXPECT_THAT(names, testing::IsSupersetOf({"degree-6-weight", "degree-6-cost", "degree-6-filters"}));
+  for (const Figure* figure : figures(document)) {
+    for (const Figure::Panel& panel : figure->panels) EXPECT_FALSE(panel.data.empty()) << figure->name;
+  }
+  EXPECT_EQ(exponent_certificates(reported.scheme, *reported.weight).size(), 2u);
+  const std::string fragment = to_latex(proof_report({reported}, {.title = {}, .front_matter = false, .figures = false, .polygons = {}}), {}, {.fragment = true, .date = {}});
+  EXPECT_THAT(fragment, testing::Not(HasSubstr("includegraphics")));
 }
 
 TEST(ProofReport, UndecidedSaysWhy) {
@@ -120,6 +188,8 @@ TEST(ProofReport, UndecidedSaysWhy) {
   const std::string text = to_latex(proof_report({reported}, {}), {});
   EXPECT_THAT(text, HasSubstr("\\emph{Undecided:} For $w=1/16$ the scheme is $C^{1}$."));
   EXPECT_THAT(text, HasSubstr("the budget ended"));
+  EXPECT_THAT(text, HasSubstr("The joint spectral radius of the sections of $b$ at $w=1/16$ lies in $[0.5,0.500"));
+  EXPECT_THAT(text, HasSubstr("level $l$ & $1$ & $2$"));
 }
 
 TEST(ProofReport, SameInputSameBytes) { EXPECT_EQ(latex_of(four_point), latex_of(four_point)); }
@@ -133,7 +203,7 @@ TEST(Formulas, GuaranteedDigits) {
 TEST(Formulas, SumsHaveSigns) {
   const VariableNames names{"w"};
   const RationalFunction w = RationalFunction::variable(1, 0), one = RationalFunction::constant(1, 1);
-  EXPECT_EQ(joined_sum(power_sum_terms({{0, -w}, {1, one}, {2, -one}, {3, w + one}, {4, w - w}}, "z", names)), "-w+z-z^{2}+\\left(w+1\\right)z^{3}");
+  EXPECT_EQ(joined_sum(power_sum_terms({{0, -w}, {1, one}, {2, -one}, {3, w + one}, {4, w - w}}, "z", names)), "-w+z-z^{2}+(w+1)\\,z^{3}");
   EXPECT_EQ(joined_sum(power_sum_terms({}, "z", names)), "0");
 }
 

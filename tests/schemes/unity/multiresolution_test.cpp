@@ -89,6 +89,23 @@ TEST(MoltajiRunionsSamavati2017, Figure12HasNearlyTheSquaresOfTheErrors) {
   EXPECT_NEAR(approx_double(found(cinpact, 8).squared_error), 0.285383, 5e-7);
 }
 
+/// "Increasing bandwidth decreases the orthogonality error"; "masks of the same size may have different errors"; the least errors are those of the polynomial
+/// of degree 10 and of interpolating CINPACT.
+TEST(MoltajiRunionsSamavati2017, Figure7ErrorAgainstFilterSize) {
+  const std::vector<Rational> degree6 = read({"0.218601", "0.487201", "0.593167", "0.487201", "0.218601"}),
+                              degree10 = read({"0.109218", "0.520687", "0.747163", "0.520687", "0.109218"});
+  constexpr int greatest = 12;
+  std::vector<double> last;
+  for (const auto& mask : {interpolating_cinpact, degree10, cinpact, degree6}) {
+    const Multiresolution m = found(mask, greatest);
+    ASSERT_EQ(m.steps.size(), greatest / 2 + 1u);
+    for (std::size_t k = 0; k + 1 < m.steps.size(); ++k) EXPECT_LT(m.steps[k + 1].squared_error, m.steps[k].squared_error) << k;
+    last.push_back(error(m));
+  }
+  EXPECT_LT(std::max(last[0], last[1]), std::min(last[2], last[3]));
+  EXPECT_EQ(degree6.size(), degree10.size());
+}
+
 TEST(Multiresolution, ExactBiorthogonalityForAllMasksExtensionsAndShifts) {
   for (const auto& mask : {chaikin, cubic, interpolating_cinpact, cinpact, asymmetric}) {
     for (const int extension : {0, 2, 6, 12}) {

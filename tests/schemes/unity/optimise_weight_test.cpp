@@ -13,11 +13,11 @@ namespace {
 
 OptimalParameter optimal_sigma(const std::string& function, const std::string& radius, const std::vector<std::string>& constraints) {
   WeightProblem problem;
-  problem.weight = function + "(c=" + radius + ", sigma=1)";
+  problem.function = function + "(c=" + radius + ", sigma=1)";
   problem.constraints = constraints;
   problem.samples = 401;
   const auto error = [&](const Rational& sigma) {
-    problem.settings = {{"sigma", sigma}};
+    set_argument(problem, "sigma", sigma);
     return derive_mask(problem, {}).least_error;
   };
   return optimise_parameter(error, {2, 20}, read_rational("1/100"), 32, {});

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "proofs/certificate.hpp"
+#include "reports/document/document.hpp"
+#include "schemes/scheme.hpp"
+
+namespace limes {
+
+/// The proof of a verdict by theorem P0, P1 or P2 in words, with the numbers that it needs.
+std::vector<Block> projective_proof_text(const Scheme& scheme, const Certificate& certificate);
+
+}  // namespace limes

@@ -7,6 +7,8 @@
 #include <acb_poly.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace limes {
@@ -21,6 +23,7 @@ class Balls {
   Balls& operator=(const Balls&) = delete;
   acb_ptr operator[](std::size_t i) const { return data_ + i; }
   acb_ptr data() const { return data_; }
+  std::size_t count() const { return std::size_t(count_); }
 
  private:
   acb_ptr data_;
@@ -100,6 +103,59 @@ void approx_roots(const Balls& roots, const Balls& monic, slong degree, slong bi
   }
 }
 
+/// Squares around the discs, around a real centre when the imaginary part is not certain. The results are about their sizes.
+std::vector<double> discs_around(const Balls& discs, const Balls& monic, const Balls& roots, slong bits) {
+  const std::size_t degree = discs.count();
+  std::vector<double> sizes;
+  acb_t value, factor;
+  acb_init(value);
+  acb_init(factor);
+  mag_t bound;
+  mag_init(bound);
+  RealBall radius;
+  for (std::size_t i = 0; i < degree; ++i) {
+    _acb_poly_evaluate(value, monic.data(), slong(degree + 1), roots[i], bits);
+    for (std::size_t k = 0; k < degree; ++k) {
+      if (k == i) continue;
+      acb_sub(factor, roots[i], roots[k], 2 * bits);
+      acb_div(value, value, factor, bits);
+    }
+    acb_abs(radius.data, value, bits);
+    arb_mul_ui(radius.data, radius.data, degree, bits);
+    arb_get_mag(bound, radius.data);
+    sizes.push_back(mag_get_d(bound));
+    acb_set(discs[i], roots[i]);
+    acb_add_error_mag(discs[i], bound);
+    if (!arb_contains_zero(acb_imagref(discs[i]))) continue;
+    // The disc around the real part that contains this one and its mirror image.
+    arb_get_mag(bound, acb_imagref(discs[i]));
+    arb_add_error_mag(acb_realref(discs[i]), bound);
+    arb_zero(acb_imagref(discs[i]));
+    arb_add_error_mag(acb_imagref(discs[i]), bound);
+  }
+  mag_clear(bound);
+  acb_clear(value);
+  acb_clear(factor);
+  return sizes;
+}
+
+/// Points that have others within 2^-exponent are moved apart, onto circles of that radius; all others stay.
+void spread(const Balls& out, const Balls& roots, std::size_t degree, slong exponent) {
+  const double reach = std::ldexp(1., int(-exponent));
+  const auto part = [](const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); };
+  for (std::size_t i = 0; i < degree; ++i) {
+    bool crowded = false;
+    for (std::size_t k = 0; k < degree; ++k) {
+      const double x = part(acb_realref(roots[i])) - part(acb_realref(roots[k])), y = part(acb_imagref(roots[i])) - part(acb_imagref(roots[k]));
+      crowded = crowded || (k != i && std::hypot(x, y) < 2 * reach);
+    }
+    acb_set(out[i], roots[i]);
+    if (!crowded) continue;
+    const double angle = 2 * std::numbers::pi * (double(i) + 0.25) / double(degree);
+    acb_set_d_d(out[i], part(acb_realref(roots[i])) + reach * std::cos(angle), part(acb_imagref(roots[i])) + reach * std::sin(angle));
+  }
+}
+
 }  // namespace
 
 std::vector<RootCluster> enclose_root_clusters(const std::vector<MultivariatePolynomial>& coefficients, const Box& box, int bits) {
@@ -115,37 +171,20 @@ std::vector<RootCluster> enclose_root_clusters(const std::vector<MultivariatePol
   Balls roots(degree), discs(degree);
   approx_roots(roots, monic, slong(degree), bits);
 
-  // Squares around the discs, around a real centre when the imaginary part is not certain.
-  acb_t value, factor;
-  acb_init(value);
-  acb_init(factor);
-  RealBall radius, size;
-  for (std::size_t i = 0; i < degree; ++i) {
-    _acb_poly_evaluate(value, monic.data(), slong(degree + 1), roots[i], bits);
-    for (std::size_t k = 0; k < degree; ++k) {
-      if (k == i) continue;
-      acb_sub(factor, roots[i], roots[k], 2 * bits);
-      acb_div(value, value, factor, bits);
+  std::vector<double> sizes = discs_around(discs, monic, roots, bits);
+  // Where roots are closer than the coefficients tell, approximations that lie further apart give smaller discs.
+  if (!std::all_of(box.begin(), box.end(), [](const Interval& x) { return x.is_point(); })) {
+    Balls other_roots(degree), other_discs(degree);
+    for (int exponent = 30; exponent > 1; --exponent) {
+      spread(other_roots, roots, degree, exponent);
+      std::vector<double> other = discs_around(other_discs, monic, other_roots, bits);
+      if (std::accumulate(other.begin(), other.end(), 0.) >= std::accumulate(sizes.begin(), sizes.end(), 0.)) continue;
+      sizes = std::move(other);
+      for (std::size_t i = 0; i < degree; ++i) acb_set(discs[i], other_discs[i]);
     }
-    acb_abs(radius.data, value, bits);
-    arb_mul_ui(radius.data, radius.data, degree, bits);
-    mag_t bound;
-    mag_init(bound);
-    arb_get_mag(bound, radius.data);
-    acb_set(discs[i], roots[i]);
-    acb_add_error_mag(discs[i], bound);
-    if (arb_contains_zero(acb_imagref(discs[i]))) {
-      // The disc around the real part that contains this one and its mirror image.
-      arb_get_mag(bound, acb_imagref(discs[i]));
-      arb_add_error_mag(acb_realref(discs[i]), bound);
-      arb_zero(acb_imagref(discs[i]));
-      arb_add_error_mag(acb_imagref(discs[i]), bound);
-    }
-    mag_clear(bound);
   }
-  acb_clear(value);
-  acb_clear(factor);
 
+  RealBall size;
   // Join what overlaps, until all are disjoint.
   std::vector<int> counts(degree, 1);
   for (bool joined = true; joined;) {

@@ -202,18 +202,19 @@ std::optional<MultivariatePolynomial> possible_pole(const Scheme& scheme, const 
 
 /// What is found here is found in floating point: it is undecided what the checker does not accept.
 Verdict prove_for_surface(const Scheme& scheme, const Claim& claim, const ProofLimits& limits, const Stop& stop) {
-  Verdict undecided;
+  VertexAttempt attempt;
   try {
-    VertexAttempt attempt = prove_vertex_claim(scheme, claim, limits, stop);
-    if (attempt.proof) {
-      const Theorem theorem = attempt.proof->map ? Theorem::e2 : Theorem::e1;
-      return conclude(scheme, claim, Outcome::certified,
-                      {.proof = std::move(*attempt.proof), .theorem = theorem, .reason = {}, .failing_point = {}, .failing_ratio = {}});
-    }
-    undecided.reason = attempt.reason;
+    attempt = prove_vertex_claim(scheme, claim, limits, stop);
   } catch (const DomainError& error) {  // a pole of a weight at some valence
-    undecided.reason = error.what();
+    attempt.reason = error.what();
   }
+  if (attempt.proof) {
+    const Theorem theorem = attempt.proof->map ? Theorem::e2 : Theorem::e1;
+    return conclude(scheme, claim, Outcome::certified,
+                    {.proof = std::move(*attempt.proof), .theorem = theorem, .reason = {}, .failing_point = {}, .failing_ratio = {}});
+  }
+  Verdict undecided;
+  undecided.reason = attempt.reason;
   return undecided;
 }
 

@@ -70,8 +70,8 @@ std::vector<Block> roughness_proof(const ProjectiveRoughness& roughness) {
   std::vector<Block> blocks = cone_proof(roughness.contraction);
   blocks.push_back(Paragraph{rich(fmt::format(
       "By [Theorem P2](#theorem-P2) the word $W$ with $A_W={}$ shows that the limits are not $C^1$: it has the eigenvalues $\\lambda_1={}\\ldots$, with an eigenvector inside of the cone, and "
-      "$\\lambda_2={}\\ldots$, hence $|\\lambda_2/\\lambda_1|^{{1/{}}}={:.6f}\\ldots>\\frac12$. The limit in the direction of $\\lambda_2$ does not vanish in the window $A_U={}$. The eigenpairs are enclosed within about "
-      "$10^{{-28}}$ by the Newton--Kantorovich test.",
+      "$\\lambda_2={}\\ldots$, hence $|\\lambda_2/\\lambda_1|^{{1/{}}}={:.6f}\\ldots>\\frac12$. The limit in the direction of $\\lambda_2$ does not vanish in the window $A_U={}$. The eigenpairs are enclosed by the "
+      "Newton--Kantorovich test.",
       product_latex(roughness.word), truncated(roughness.dominant.value), truncated(roughness.second.value), roughness.word.size(), std::floor(ratio * 1e6) / 1e6,
       product_latex(roughness.window)))});
   return blocks;

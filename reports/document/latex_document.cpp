@@ -59,12 +59,12 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \hypersetup{pdfproducer={Limes}, pdfcreator={Limes}}
 \pagestyle{fancy}
 \fancyhf{}
-\fancyhead[L]{\small\nouppercase{\leftmark}}
+\fancyhead[L]{\small\nouppercase{\rightmark}}
 \fancyhead[R]{\small\thepage}
 \renewcommand{\headrulewidth}{.3pt}
 \fancypagestyle{plain}{\fancyhf{}\fancyfoot[C]{\small\thepage}\renewcommand{\headrulewidth}{0pt}}
 \setlength{\headheight}{14pt}
-\renewcommand{\sectionmark}[1]{\markboth{\thesection\quad #1}{}}
+\renewcommand{\sectionmark}[1]{\markright{\thesection\quad #1}}
 % Same input, same bytes: no clock and no path in the PDF.
 \ifdefined\pdftrailerid\pdftrailerid{}\pdfinfoomitdate=1 \pdfsuppressptexinfo=15 \fi
 \ifdefined\pdfvariable\pdfvariable suppressoptionalinfo 1023 \fi
@@ -75,6 +75,7 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \setlength{\LTpre}{8pt plus 4pt}
 \setlength{\LTpost}{8pt plus 4pt}
 \setlength{\LTcapwidth}{\textwidth}
+\setlength{\jot}{5pt}
 \renewcommand{\topfraction}{.9}
 \renewcommand{\bottomfraction}{.7}
 \renewcommand{\textfraction}{.08}
@@ -93,7 +94,10 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \newtheorem*{remark}{Remark}
 \newtheorem*{erratum}{Erratum}
 % A proposition stays with the beginning of its proof.
-\AddToHook{env/proposition/after}{\nopagebreak}
+\makeatletter
+\AddToHook{env/proposition/begin}{\@endparpenalty\@M}
+\AddToHook{env/proof/begin}{\@beginparpenalty\@M}
+\makeatother
 )";
 
 /// What a fragment needs from packages that the article may not have.
@@ -279,7 +283,7 @@ class LatexWriter {
     if (options_.fragment) return;
     text_ += "\\begin{figure}[!htbp]\n\\centering\n";
     for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-      text_ += fmt::format("{}\\limesplot{{{}-{}}}{{{}}}{{{:.2f}}}", k > 0 ? "\\hfill\n" : "", figure.name, k + 1, ++plots_, depth_below_area(figure.panels[k].plot));
+      text_ += fmt::format("{}\\limesplot{{{}-{}}}{{{}}}{{{:.2f}}}", k == 0 ? "" : figure.panels.size() == 2 ? "\\hspace{2.5em}\n" : "\\hfill\n", figure.name, k + 1, ++plots_, depth_below_area(figure.panels[k].plot));
     }
     text_ += fmt::format("\n\\caption{{{}}}\n\\end{{figure}}\n\n", inline_text(figure.caption));
   }

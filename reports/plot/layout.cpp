@@ -165,7 +165,7 @@ Layout layout(const Plot& plot) {
     else if (scale->logarithmic)
       logarithmic_ticks(*scale);
     else
-      linear_ticks(*scale, scale == &result.x ? std::max(3.5, result.width / 60) : std::max(3.5, result.height / 45));
+      linear_ticks(*scale, scale == &result.x ? std::max(4.0, result.width / 60) : std::max(5.0, result.height / 45));
   }
   return result;
 }

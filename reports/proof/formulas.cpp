@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace limes {
 namespace {
@@ -28,13 +29,24 @@ std::string polynomial_latex(const MultivariatePolynomial& p, const VariableName
   return with_small_fractions(joined_sum(terms));
 }
 
+/// Numbers that were given as decimals stay decimals: those whose denominator has a factor 5.
+std::optional<std::string> decimal_latex(const RationalFunction& c) {
+  if (!c.is_constant()) return std::nullopt;
+  const Rational value = c.constant_value();
+  if (denominator(value) % 5 != 0 || denominator(value) <= 100) return std::nullopt;
+  const std::string decimal = to_decimal(abs(value), 10, Rounding::nearest);
+  if (read_rational(decimal) != abs(value)) return std::nullopt;
+  return (value < 0 ? "-" : "") + decimal;
+}
+
 /// "+\tfrac{w}{2} z^{3}", the sign always written.
 std::string signed_term(const RationalFunction& c, const std::string& power, const VariableNames& names) {
   if (c.is_polynomial() && c.numerator().term_count() > 1) {
     const std::string latex = polynomial_latex((Rational(1) / c.denominator().constant_value()) * c.numerator(), names);
     return power.empty() ? (latex.starts_with('-') ? latex : "+" + latex) : fmt::format("+({})\\,{}", latex, power);
   }
-  std::string latex = to_latex(c, names);
+  const std::optional<std::string> decimal = decimal_latex(c);
+  std::string latex = decimal ? *decimal : to_latex(c, names);
   if (c.is_polynomial()) latex = with_small_fractions(latex);
   const bool negative = latex.starts_with('-');
   if (negative) latex.erase(0, 1);

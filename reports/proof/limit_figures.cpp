@@ -172,10 +172,13 @@ std::optional<Figure> norms_figure(const ReportedScheme& reported, const std::ve
   if (curves.empty() || curves.front().second.size() < 2) return std::nullopt;
   Plot plot = small_plot("");
   plot.x.label = "level $l$";
+  plot.x.ticks.emplace();
+  for (int level = 1; level <= 9; level += 2) plot.x.ticks->push_back({double(level), std::to_string(level)});
   plot.y.label = "norm";
   plot.y.logarithmic = true;
   double longest = 1;
   for (const auto& [m, points] : curves) longest = std::max(longest, points.empty() ? 1 : points.back().x);
+  std::erase_if(*plot.x.ticks, [&](const PlotTick& tick) { return tick.value > longest; });
   plot.items.push_back(PlotCurve{{{1, 1}, {longest, 1}}, {palette(0), 0.5, Dash::dashed}});
   std::size_t colour = 1;
   std::string words;

@@ -57,6 +57,10 @@ std::optional<Figure> map_figure(const ReportedScheme& reported) {
       // C^m implies less, not C^m implies not more.
       if (piece.smooth ? piece.smoothness < m : piece.smoothness > m) continue;
       const double from = approx_double(piece.range.lower), to = approx_double(piece.range.upper);
+      const bool covered = std::any_of(pieces.begin(), pieces.end(), [&](const Piece& other) {
+        return !other.range.is_point() && other.smooth == piece.smooth && (piece.smooth ? other.smoothness >= m : other.smoothness <= m) && other.range.contains(piece.range.lower);
+      });
+      if (piece.range.is_point() && covered) continue;
       if (piece.range.is_point()) (piece.smooth ? smooth_points : rough_points).push_back({from, double(m)});
       else (piece.smooth ? smooth : rough).outlines.push_back(bar(m, from, to));
       data += fmt::format("{},{},{},{},{},{}\n", m, piece.smooth ? "certified" : "refuted", to_string(piece.range.lower), to_string(piece.range.upper), piece.range.lower_open ? "open" : "closed",

@@ -1,4 +1,5 @@
 // Nonstationary schemes: their definition, and proofs by S1 and S2.
+#include "algebra/number/read_rational.hpp"
 #include "analysis/nonstationary/space_moments.hpp"
 #include "reports/proof/formulas.hpp"
 #include "reports/proof/sections_impl.hpp"
@@ -56,7 +57,7 @@ Blocks asymptotic_proof(const Scheme& scheme, const Certificate& certificate) {
   Blocks blocks{paragraph(fmt::format("For $k\\to\\infty$ the masks tend to the mask $a$ for $\\mu=1$, whose scheme is $C^{{{}}}$ by [Theorem U1](#theorem-U1) with level $l={}$. "
                                       "With $x_k=\\theta\\,{}^{{-(k+1)}}$,", m, proof.limit_level, p))};
   const Rational rounded = bound.constant;
-  const std::string exact = inline_latex(rounded);
+  const std::string decimal = to_decimal(rounded, 10, Rounding::nearest), exact = read_rational(decimal) == rounded ? decimal : inline_latex(rounded);
   blocks.push_back(Display{{{"", {fmt::format("\\lVert S_{{{0}^{{(k)}}}}-S_{0}\\rVert_\\infty\\le C\\,x_k^{{{1}}},\\qquad C{2},", c, bound.order,
                                              exact.size() <= 20 ? "=" + exact : fmt::format("\\le{}", to_decimal(rounded, 6, Rounding::up)))}}}});
   blocks.push_back(paragraph(fmt::format("for all $k\\ge{}$ and all angles of the region{}. Since ${}>{}$, the sum over $k$ of ${}$ times these norms is finite, and [Theorem S1](#theorem-S1) applies.",

@@ -171,16 +171,18 @@ Blocks matrix_text(const Scheme& scheme, ReportState& state) {
   Display display{.lines = {}, .small = true};
   double all = 0;
   for (std::size_t k = 0; k < stencils.size(); ++k) {
+    Display::Line line{fmt::format("E_{{{}}}", k), {}};
     for (std::size_t j = 0; j < stencils[k].size(); ++j) {
       const std::string entry = to_latex(stencils[k][j], names);
       all += estimated_width(entry);
       if (estimated_width(entry) > widest_entry || all > longest) return {};
-      display.lines.push_back({fmt::format("e_{{{},{}}}", k, j + 1), {"=" + entry}});
+      line.right.push_back(fmt::format("{}{}{}", j == 0 ? "=\\Bigl(" : "", entry, j + 1 < stencils[k].size() ? ",\\;" : "\\Bigr)"));
     }
+    display.lines.push_back(std::move(line));
   }
   const int n = rule.points() / 2;
-  state.appendix.push_back(paragraph(prose(scheme.name) + rich(fmt::format(", the subdivision matrix about a knot with the ratio $\\gamma$, all others being $1$: new points are $\\sum_{{j=1}}^{{{}}}e_{{k,j}}\\,p_{{i-{}+j}}$, where $k=0$ when "
-                                                                           "all ratios that matter are $1$, and else ratio number ${}-k$ from the left is $\\gamma$,", 2 * n, n, 2 * n - 1))));
+  state.appendix.push_back(paragraph(code(scheme.name) + rich(fmt::format(": the rows of $L(\\gamma)$ for new points have the coefficients $E_k$, from left to right, $k=0$ where all ratios that matter are $1$, else where ratio number "
+                                                                          "${}-k$ from the left is $\\gamma$:", 2 * n - 1))));
   state.appendix.push_back(std::move(display));
   return {paragraph("Its rows for old points are unit vectors; the others are in the [appendix](#appendix).")};
 }

@@ -67,7 +67,9 @@ Blocks summary(const std::vector<ReportedScheme>& schemes) {
 Blocks section(const ReportedScheme& reported, const ProofReportOptions& options, ReportState& state, const Stop& stop) {
   const Scheme& scheme = reported.scheme;
   Blocks blocks;
-  blocks.push_back(Heading{1, prose(scheme.title), section_label(scheme)});
+  std::string title = scheme.title;
+  if (!title.empty()) title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  blocks.push_back(Heading{1, prose(title), section_label(scheme)});
   RichText words = rich("Scheme `" + scheme.name + "`");
   for (std::size_t k = 0; k < scheme.sources.size(); ++k) words = words + rich((k == 0 ? ", from [@" : ", [@") + scheme.sources[k] + "]");
   blocks.push_back(paragraph(words + rich(".")));

@@ -88,8 +88,10 @@ Blocks scheme_figures(const ReportedScheme& reported, const ProofReportOptions& 
     add(eigenvalues_figure(reported, point, smoothness, stop));
     add(norms_figure(reported, point, smoothness, stop));
     // Where nothing converges, or only to zero, there is no curve to look at.
-    if (smoothness >= 1) add(comb_figure(reported, point, options.polygons, stop));
-    add(square_figure(reported, point, options.polygons, stop));
+    if (smoothness >= 1) {
+      add(comb_figure(reported, point, options.polygons, stop));
+      add(square_figure(reported, point, options.polygons, stop));
+    }
     add(curvature_figure(reported, options.polygons, stop));
   } catch (const DomainError&) {
     // A pole at the shown point: no further pictures.

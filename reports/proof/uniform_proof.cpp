@@ -81,7 +81,7 @@ RichText missing_text(const Mask& mask, int smoothness, const VariableNames& nam
   const LaurentPolynomial remainder = sum_rule_remainder(mask, smoothness + 1);
   std::string shortest;
   for (const RationalFunction& c : remainder.coefficients()) {
-    const std::string latex = to_latex(c, names);
+    const std::string latex = joined_sum(power_sum_terms({{0, c}}, "", names));
     if (!c.is_zero() && (shortest.empty() || latex.size() < shortest.size())) shortest = latex;
   }
   const std::string power = sigma_power(mask.arity, smoothness + 1);

@@ -60,14 +60,14 @@ RichText constraints_text(const WeightProblem& problem) {
 
 }  // namespace
 
-WeightStudy study_weight(const Scheme& scheme, bool costs, const Stop& stop) {
+WeightStudy study_weight(const Scheme& scheme, const Stop& stop) {
   WeightStudy study{.problem = *scheme.weight, .derived = derive_mask(*scheme.weight, stop), .error = 0, .even_sum = 0, .odd_sum = 0, .costs = {}};
   const LaurentPolynomial& symbol = scheme.mask.symbol;
   std::vector<Rational> mask;
   for (int k = 0; k < study.derived.equation.count; ++k) mask.push_back(symbol.coefficient(study.derived.equation.first_index() + k).constant_value());
   study.error = study.derived.error_of(mask);
   for (int i = symbol.lowest(); i <= symbol.highest(); ++i) (i % 2 == 0 ? study.even_sum : study.odd_sum) += symbol.coefficient(i).constant_value();
-  if (costs) study.costs = smoothness_costs(study.problem, greatest_order, stop);
+  study.costs = smoothness_costs(study.problem, greatest_order, stop);
   return study;
 }
 
@@ -99,7 +99,6 @@ std::vector<Block> weight_section(const Scheme& scheme, const WeightStudy& study
   text += fmt::format(" The sums of the even and of the odd coefficients differ from $1$ by ${}$ and ${}$, exactly, and $a(-1)={}$.", inline_latex(study.even_sum - 1), inline_latex(study.odd_sum - 1), inline_latex(alternating));
   blocks.push_back(Paragraph{rich(text)});
   blocks.push_back(unity_impl::weight_figure(scheme, study));
-  if (study.costs.empty()) return blocks;
   blocks.push_back(Paragraph{rich("With the sum rules of an order $k$ as constraints, $a(1)=2$ and $(1+z)^k\\mid a(z)$, the scheme has smooth limits, and $E$ is greater.")});
   blocks.push_back(cost_table(study.costs));
   if (study.costs.size() > 2) blocks.push_back(unity_impl::cost_figure(scheme, study));

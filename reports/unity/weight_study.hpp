@@ -13,13 +13,11 @@ struct WeightStudy {
   /// E of the scheme's own mask, which may be rounded.
   double error = 0;
   Rational even_sum = 0, odd_sum = 0;
-  /// Empty where they were not asked for.
   std::vector<SmoothnessCost> costs;
 };
 
-/// \param costs whether to tabulate what smoothness costs, which takes some seconds to minutes
 /// \pre scheme.weight \throws InputError, Interrupted
-WeightStudy study_weight(const Scheme& scheme, bool costs, const Stop& stop);
+WeightStudy study_weight(const Scheme& scheme, const Stop& stop);
 
 /// File names and texts of the certificates of exponents, one for each mask of the table of costs.
 std::vector<std::pair<std::string, std::string>> exponent_certificates(const Scheme& scheme, const WeightStudy& study);

@@ -75,10 +75,10 @@ TEST(Prove, FourPointSchemeAtTheEndsOfItsRange) {
 
 TEST(Prove, UndecidedSaysWhyAndHasNoCertificate) {
   const Scheme s = scheme(four_point, "w = [\"0\", \"1/4\"]");
-  // Less than 10^-8 below w*.
-  const Verdict verdict = decide(s, "C1", "0.19272924");
+  // Less than 10^-10 below w*.
+  const Verdict verdict = decide(s, "C1", "0.1927292492");
   EXPECT_EQ(verdict.outcome, Outcome::undecided);
-  EXPECT_NE(verdict.reason.find("w = 4818231/25000000"), std::string::npos) << verdict.reason;
+  EXPECT_NE(verdict.reason.find("w = 481823123/2500000000"), std::string::npos) << verdict.reason;
 }
 
 // Karciauskas & Peters 2013, Table 1.

@@ -156,7 +156,7 @@ claim = "projective C0"
 [[claims]]
 claim = "not projective C1"
 )");
-  reported.weight = study_weight(reported.scheme, true, {});
+  reported.weight = study_weight(reported.scheme, {});
   reported.filters = decide_filters(reported.scheme, 4, {});
   ASSERT_TRUE(reported.filters);
   EXPECT_GE(reported.weight->error, reported.weight->derived.least_error);
@@ -177,7 +177,7 @@ claim = "not projective C1"
     for (const Figure::Panel& panel : figure->panels) EXPECT_FALSE(panel.data.empty()) << figure->name;
   }
   EXPECT_EQ(exponent_certificates(reported.scheme, *reported.weight).size(), 2u);
-  const std::string fragment = to_latex(proof_report({reported}, {.title = {}, .front_matter = false, .figures = false, .polygons = {}}), {}, {.fragment = true, .date = {}});
+  const std::string fragment = to_latex(proof_report({reported}, {.title = {}, .front_matter = false, .figures = false, .polygons = {}, .nets = {}}), {}, {.fragment = true, .date = {}});
   EXPECT_THAT(fragment, testing::Not(HasSubstr("includegraphics")));
 }
 

@@ -80,11 +80,14 @@ void prove_radius_at_least(const std::vector<RationalMatrix>& family, const Json
 
 namespace {
 
-std::string decimal(const mpq_class& x) {
-  mpz_class scaled = x.get_num() * 1000000 / x.get_den();
-  std::string text = scaled.get_str();
+/// Six decimals, rounded down or up. \pre x >= 0
+std::string decimal(const mpq_class& x, bool up) {
+  const mpz_class scaled = x.get_num() * 1000000;
+  mpz_class quotient;
+  (up ? mpz_cdiv_q : mpz_fdiv_q)(quotient.get_mpz_t(), scaled.get_mpz_t(), x.get_den_mpz_t());
+  std::string text = quotient.get_str();
   if (text.size() < 7) text.insert(0, 7 - text.size(), '0');
-  return text.insert(text.size() - 6, ".") + "..";
+  return text.insert(text.size() - 6, ".");
 }
 
 }  // namespace
@@ -134,8 +137,8 @@ std::string check_joint_spectral_radius(const Json& json, Budget& budget) {
   if (exact)
     for (const Json& c : bounds.list("polynomial", 2, 65)) radius.polynomial.push_back(read_number(c, "claim", "the polynomial", budget));
   prove_radius(family, radius, reader.at("proof"), budget);
-  return "certified: the joint spectral radius of " + std::to_string(family.size()) + " matrices lies between " + decimal(radius.lower) +
-         " and " + decimal(radius.upper) + (exact ? " and is a root of the polynomial" : "") + " (theorem JSR)";
+  return "certified: the joint spectral radius of " + std::to_string(family.size()) + " matrices lies between " + decimal(radius.lower, false) +
+         " and " + decimal(radius.upper, true) + (exact ? " and is a root of the polynomial" : "") + " (theorem JSR)";
 }
 
 }  // namespace limes::checker

@@ -236,10 +236,16 @@ std::vector<LegendEntry> legend(const Plot& plot) {
 std::string plain_text(const std::string& text, bool greek) {
   static const std::vector<std::pair<std::string, std::string>> letters{
       {"alpha", "α"},  {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ε"}, {"theta", "θ"}, {"kappa", "κ"},
-      {"lambda", "λ"}, {"mu", "μ"},   {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"},   {"phi", "φ"},   {"omega", "ω"}};
+      {"lambda", "λ"}, {"mu", "μ"},   {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"},   {"phi", "φ"},   {"omega", "ω"},
+      {"varphi", "φ"}};
   std::string result;
+  bool mathematics = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '$') continue;
+    if (text[i] == '$') {
+      mathematics = !mathematics;
+      continue;
+    }
+    if (mathematics && (text[i] == '{' || text[i] == '}')) continue;  // of exponents
     if (text[i] != '\\') {
       result += text[i];
       continue;

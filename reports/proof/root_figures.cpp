@@ -180,8 +180,8 @@ std::optional<Figure> eigenvalues_figure(const ReportedScheme& reported, const s
   disc.items.push_back(PlotRegion{{circle}, pale_grey});
   disc.items.push_back(PlotCurve{circle, {palette(0), 0.6, Dash::solid}, true});
   disc.items.push_back(PlotMarkers{std::move(paths), {150, 150, 150}, 0.7});
-  disc.x = {"$\\mathrm{Re}\\,\\lambda$", -end, end};
-  disc.y = {"$\\mathrm{Im}\\,\\lambda$", -end, end};
+  disc.x = {"Re $\\lambda$", -end, end};
+  disc.y = {"Im $\\lambda$", -end, end};
   double radius = 2.4;
   const std::vector<std::pair<Rational, Color>> marked{{1, palette(0)}, {Rational(1) / 4, palette(1)}, {Rational(1) / 20, palette(2)}};
   for (const auto& [gamma, color] : marked) {

@@ -65,10 +65,11 @@ struct MapObserver {
 };
 
 /// Where in the region the scheme is C^m, and where not, by bisection in rounds. Floating hints choose the proof that is tried on
-/// a cell; with one free parameter they also say where a cell is cut: at values where the answer seems to change (at that value itself
-/// when it is a short rational, then the cells beside it are open there, otherwise closely on both sides of it). What is decided is decided by
-/// prove_as_stated(), hence by the checker. A cell that resists on five generations is left undecided. Deterministic: the
-/// result does not depend on threads, nor on where an earlier run with the same options was stopped.
+/// a cell; with one free parameter they also say where a cell is cut: at values where the answer seems to change. At a short rational
+/// the cut is that value itself, and a certified cell beside it is open there unless it can be proved closed; elsewhere the cuts are
+/// closely on both sides of the crossing. What is decided is decided by prove_as_stated(), hence by the checker. A cell that resists on
+/// five generations is left undecided. Deterministic: the result does not depend on threads, nor on where an earlier run with the
+/// same options was stopped.
 /// \pre one interval per parameter, one or two of which are no points. \throws InputError otherwise
 ParameterMap map_parameters(const Scheme& scheme, int smoothness, const Box& region, const MapOptions& options,
                             const MapObserver& observer = {}, const Stop& stop = {});

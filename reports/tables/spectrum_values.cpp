@@ -56,8 +56,8 @@ ComputedResult spectrum_values(const TableCommand& command, const Stop& stop) {
   ComputedResult result{{"modulus", modulus}, {"size", {0, {ComputedValue::count(spectrum.size(n))}}}};
   if (and_later) return result;
   for (const VertexEigenvalue& e : eigenvalues) {
-    re.values.insert(re.values.end(), std::size_t(e.multiplicity), {e.re, {}});
-    im.values.insert(im.values.end(), std::size_t(e.multiplicity), {e.im, {}});
+    re.values.insert(re.values.end(), std::size_t(e.multiplicity), ComputedValue{e.re, {}});
+    im.values.insert(im.values.end(), std::size_t(e.multiplicity), ComputedValue{e.im, {}});
   }
   result.emplace_back("re", re);
   result.emplace_back("im", im);

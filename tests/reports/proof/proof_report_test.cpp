@@ -139,7 +139,7 @@ claim = "C1"
 }
 
 TEST(ProofReport, MaskOfAWeightFunction) {
-  ReportedScheme reported = decided(R"(name = "degree-6"
+  ReportedScheme reported = decided(R"toml(name = "degree-6"
 kind = "uniform"
 source = "MoltajiRunionsSamavati2016"
 [uniform]
@@ -155,7 +155,7 @@ claim = "not C0"
 claim = "projective C0"
 [[claims]]
 claim = "not projective C1"
-)");
+)toml");
   reported.weight = study_weight(reported.scheme, {});
   reported.filters = decide_filters(reported.scheme, 4, {});
   ASSERT_TRUE(reported.filters);

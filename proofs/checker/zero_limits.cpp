@@ -55,7 +55,7 @@ std::string check_p0(const Json& json, Budget& budget) {
   for (std::size_t k = 0; k < scheme.mask.size(); ++k) (k % 2 == 0 ? even : odd) += scheme.mask[k];
   if (even == scheme.denominator && odd == scheme.denominator)
     throw Rejected{"sums", "the even and the odd coefficients sum to 1"};
-  if (only_zero) return "certified: " + quoted(scheme.name) + " has only zero limits (theorem P0)";
+  if (only_zero) return "certified: " + checker::quoted(scheme.name) + " has only zero limits (theorem P0)";
 
   const std::vector<int> word = read_word(proof, "word", 1, 64);
   if (scheme.size < 1) throw Rejected{"scheme", "a mask of one coefficient has no sections"};

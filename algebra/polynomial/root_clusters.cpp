@@ -81,9 +81,10 @@ Interval enclosure(const arb_t x) { return {lower_end(x), upper_end(x)}; }
 void approx_roots(const Balls& roots, const Balls& monic, slong degree, slong bits) {
   acb_poly_t p;
   acb_poly_init2(p, degree + 1);
+  const Balls middle(1);
   for (slong k = 0; k <= degree; ++k) {
-    acb_poly_set_coeff_acb(p, k, monic[std::size_t(k)]);
-    acb_get_mid(acb_poly_get_coeff_ptr(p, k), acb_poly_get_coeff_ptr(p, k));
+    acb_get_mid(middle[0], monic[std::size_t(k)]);
+    acb_poly_set_coeff_acb(p, k, middle[0]);
   }
   acb_poly_find_roots(roots.data(), p, nullptr, 0, bits);
   acb_poly_clear(p);

@@ -53,7 +53,7 @@ struct Display {
 
 struct DataTable {
   RichText caption;
-  /// One letter a column: l, r, c.
+  /// One letter a column: l, r, c, or L for text that may take several lines.
   std::string columns;
   std::vector<RichText> header;
   std::vector<std::vector<RichText>> rows;

@@ -249,7 +249,9 @@ class LatexWriter {
       for (const RichText& cell : cells) columns.push_back(inline_text(cell));
       return fmt::format("{} \\\\\n", fmt::join(columns, " & "));
     };
-    const std::string columns = "@{}" + table.columns + "@{}";
+    std::string columns = "@{}";
+    for (const char c : table.columns) columns += c == 'L' ? ">{\\raggedright\\arraybackslash}p{0.27\\linewidth}" : std::string(1, c);
+    columns += "@{}";
     if (options_.fragment) {
       if (!table.caption.empty()) text_ += fmt::format("\\noindent {}\n", inline_text(table.caption));
       constexpr std::size_t per_page = 40;
@@ -267,7 +269,9 @@ class LatexWriter {
       text_ += "\\bottomrule\n\\end{tabular}\n\\end{center}\n";
       return;
     }
-    text_ += fmt::format("{{\\small\\begin{{longtable}}{{{}}}\n", columns);
+    // Wide tables are those with text that takes several lines.
+    const bool wide = table.columns.find('L') != std::string::npos;
+    text_ += fmt::format("{{\\{}\\setlength{{\\tabcolsep}}{{4.5pt}}\\begin{{longtable}}{{{}}}\n", wide ? "footnotesize" : "small", columns);
     if (!table.caption.empty()) {
       text_ += fmt::format("\\caption{{{}}}", inline_text(table.caption));
       label(table.label);

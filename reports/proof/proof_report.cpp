@@ -18,12 +18,13 @@ std::string section_label(const Scheme& scheme) { return "scheme-" + scheme.name
 /// Functions are named in the section only.
 RichText short_statement(const Claim& claim) {
   if (!claim.space) return statement_text(claim);
-  return rich(fmt::format("{}{} a space", claim.negated ? "not " : "", claim.space->generates ? "generates" : "reproduces"));
+  const char* verb = claim.space->generates ? "generate" : "reproduce";
+  return rich(claim.negated ? fmt::format("does not {}", verb) : fmt::format("{}s", verb));
 }
 
 DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
   DataTable table{.caption = {},
-                  .columns = "llllll",
+                  .columns = "llLlll",
                   .header = {rich("scheme"), rich("claim"), rich("region"), rich("verdict"), rich("theorem"), rich("certificate")},
                   .rows = {}};
   for (const ReportedScheme& reported : schemes) {
@@ -36,7 +37,7 @@ DataTable summary_table(const std::vector<ReportedScheme>& schemes) {
       table.rows.push_back({first ? RichText{{Span::Kind::reference, reported.scheme.name, section_label(reported.scheme)}} : RichText{},
                             short_statement(decided.claim), region_rich(reported.scheme, decided.claim), outcome,
                             verdict.certificate ? rich(fmt::format("[{0}](#theorem-{0})", to_string(verdict.certificate->theorem))) : RichText{},
-                            verdict.certificate_json.empty() ? RichText{} : code(sha256(verdict.certificate_json).substr(0, 12))});
+                            verdict.certificate_json.empty() ? RichText{} : code(sha256(verdict.certificate_json).substr(0, 10))});
       first = false;
     }
   }

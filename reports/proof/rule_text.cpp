@@ -54,7 +54,7 @@ class RuleWriter {
       return {fmt::format("f^{{{}}}_{{i{}}}", arguments[0], arguments[1] == "0" ? "" : arguments[1].starts_with('-') ? arguments[1] : "+" + arguments[1])};
     }
     if (call.function == "at" && arguments.size() == 2) return {fmt::format("{}({})", inner(call.arguments[0], Binding::atom), arguments[1])};
-    if (call.function == "dot" && arguments.size() == 2) return {fmt::format("{}\\cdot{}", arguments[0], inner(call.arguments[1], Binding::product)), Binding::product};
+    if (call.function == "dot" && arguments.size() == 2) return {fmt::format("{}\\cdot {}", arguments[0], inner(call.arguments[1], Binding::product)), Binding::product};
     // The first argument of the others is an order, a degree or a factor.
     std::string name = fmt::format("\\mathrm{{{}}}", call.function);
     if (arguments.size() > 1) {

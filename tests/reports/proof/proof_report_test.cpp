@@ -97,6 +97,10 @@ TEST(ProofReport, RulesAreFormulas) {
   EXPECT_THAT(latex, HasSubstr("\\omega\\,\\mathrm{degree}_{4}(\\mathit{cr}_{1})(\\tfrac{1}{2})-\\tfrac{1-\\omega}{2}\\,(\\tfrac{1}{12},"));
   EXPECT_THAT(latex, HasSubstr("made $C^r$ at the knots"));
   EXPECT_THAT(latex, testing::Not(HasSubstr("halved intervals"))) << "only the words that the rule uses are explained";
+
+  const InsertionRuleText plain{.points = 6, .let = {}, .new_point = {"dot([1/12,0,5/12,5/12,0,1/12], f(5,0))", 0}, .coefficients = {}};
+  document.blocks = report_impl::rule_text(plain);
+  EXPECT_THAT(to_latex(document, {}), HasSubstr(")\\cdot f^{5}_{i}")) << "a control word ends before a letter";
 }
 
 TEST(ProofReport, ExponentsWithTheirProofs) {

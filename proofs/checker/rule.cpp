@@ -43,7 +43,7 @@ class RuleReader : Scanner {
     for (const auto& [name, text] : definitions) {
       const bool is_function = std::find(vocabulary.begin(), vocabulary.end(), name) != vocabulary.end();
       if (!is_name(name) || is_function || name == "gamma" || names_.contains(name) || waiting.contains(name))
-        throw Rejected{"scheme", quoted(name) + " cannot be the name of a definition, or is taken"};
+        throw Rejected{"scheme", checker::quoted(name) + " cannot be the name of a definition, or is taken"};
       waiting[name] = {};
     }
     for (const auto& [name, text] : definitions) {
@@ -65,7 +65,7 @@ class RuleReader : Scanner {
       }
       if (waiting.size() == before)
         throw Rejected{"scheme",
-                       "the definition of " + quoted(waiting.begin()->first) + " is part of a cycle, or needs one"};
+                       "the definition of " + checker::quoted(waiting.begin()->first) + " is part of a cycle, or needs one"};
     }
   }
   int point(std::string_view text) {
@@ -429,7 +429,7 @@ Rule read_coefficients(const std::vector<std::string>& texts, const std::vector<
     for (const auto& [ratios, polynomial] : by_ratios) {
       const mpq_class multiple = polynomial.rbegin()->second / first.rbegin()->second;
       if (multiple <= 0 || multiply(first, constant(multiple), budget) != polynomial)
-        throw Rejected{"scheme", "the denominator of " + quoted(text) +
+        throw Rejected{"scheme", "the denominator of " + checker::quoted(text) +
                                      " is no polynomial in the parameters times one of one sign in the ratios"};
     }
     const Polynomial divisor = multiply(first, constant(1 / mpq_class(first.rbegin()->second)), budget);

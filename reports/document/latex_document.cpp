@@ -271,7 +271,8 @@ class LatexWriter {
     }
     // Wide tables are those with text that takes several lines.
     const bool wide = table.columns.find('L') != std::string::npos;
-    text_ += fmt::format("{{\\{}\\setlength{{\\tabcolsep}}{{4.5pt}}\\begin{{longtable}}{{{}}}\n", wide ? "footnotesize" : "small", columns);
+    text_ += fmt::format("{{\\{}\\setlength{{\\tabcolsep}}{{{}}}\\begin{{longtable}}{{{}}}\n", wide ? "footnotesize" : "small",
+                         wide ? "3.5pt" : "4.5pt", columns);
     if (!table.caption.empty()) {
       text_ += fmt::format("\\caption{{{}}}", inline_text(table.caption));
       label(table.label);

@@ -1,4 +1,4 @@
-// Figures of a proof report. Included by sources of this folder only.
+// Figures of a proof report. Included by sources of reports/proof and reports/unity only.
 #pragma once
 
 #include "reports/proof/sections_impl.hpp"
@@ -11,7 +11,9 @@ constexpr double panel_width = 112, panel_height = 86;
 /// Where something is positive or negative, or where roots may be.
 constexpr Color pale_blue{226, 237, 247}, pale_red{250, 229, 219}, pale_grey{238, 243, 248};
 
+/// A third or so of a page wide.
 Plot small_plot(const std::string& title);
+/// "x,name\n1,2\n"
 std::string csv(const std::string& header, const std::vector<PlotPoint>& points);
 /// " for $w=1/16$"
 std::string at_text(const Scheme& scheme, std::span<const Rational> point);

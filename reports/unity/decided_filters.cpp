@@ -2,8 +2,8 @@
 
 #include "algebra/error.hpp"
 #include "reports/document/sha256.hpp"
+#include "reports/proof/figures_impl.hpp"
 #include "reports/proof/formulas.hpp"
-#include "reports/unity/weight_figures_impl.hpp"
 
 #include <fmt/format.h>
 
@@ -92,7 +92,7 @@ std::vector<Block> filter_section(const Scheme& scheme, const DecidedFilters& fi
   blocks.push_back(Paragraph{rich(text)});
   if (points.size() > 1) {
     const std::vector<ErrorCurve> curves{{scheme.name, filters.extended}};
-    Plot plot = unity_impl::small_plot("");
+    Plot plot = report_impl::small_plot("");
     plot.x.label = "filter length";
     plot.y.label = "error";
     plot.y.logarithmic = true;

@@ -1,6 +1,7 @@
 #include "reports/unity/weight_figures_impl.hpp"
 
 #include "geometry/refine_polygon.hpp"
+#include "reports/proof/figures_impl.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,9 @@
 
 namespace limes::unity_impl {
 namespace {
+
+using report_impl::csv;
+using report_impl::small_plot;
 
 constexpr int samples = 400;
 
@@ -95,19 +99,6 @@ std::vector<PlotPoint> projective_limit(const Scheme& scheme, const RefinementEq
 }
 
 }  // namespace
-
-std::string csv(const std::string& header, const std::vector<PlotPoint>& points) {
-  std::string text = header + "\n";
-  for (const PlotPoint& p : points) text += fmt::format("{:.12g},{:.12g}\n", p.x, p.y);
-  return text;
-}
-
-Plot small_plot(const std::string& title) {
-  Plot plot{.title = title, .x = {}, .y = {}, .items = {}};
-  plot.width = 108;
-  plot.height = 86;
-  return plot;
-}
 
 Figure weight_figure(const Scheme& scheme, const WeightStudy& study) {
   const RefinementEquation& equation = study.derived.equation;

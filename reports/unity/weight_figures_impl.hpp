@@ -10,9 +10,4 @@ Figure weight_figure(const Scheme& scheme, const WeightStudy& study);
 /// E against the order of the sum rules, and against the bounds of the Hoelder exponent.
 Figure cost_figure(const Scheme& scheme, const WeightStudy& study);
 
-/// "x,name\n1,2\n"
-std::string csv(const std::string& header, const std::vector<PlotPoint>& points);
-/// A third or so of a page wide.
-Plot small_plot(const std::string& title);
-
 }  // namespace limes::unity_impl

@@ -1,14 +1,9 @@
 // Certificates about extraordinary vertices that were made to deceive: false statements, and true ones whose proof has a gap.
-#include "tests/checker/certificates.hpp"
+#include "tests/checker/vertex.hpp"
 
 using namespace limes::test;
 
 namespace {
-
-Json term(int a, int b, int sector, const std::string& weight) { return {{"point", {a, b}}, {"sector", sector}, {"weight", weight}}; }
-Json mean(int harmonic, int a, int b, const std::string& weight) {
-  return {{"point", {a, b}}, {"harmonic", harmonic}, {"weight", weight}};
-}
 
 /// Catmull and Clark's rules, but for the vertex: its weights of the neighbours are multiplied by `strength`.
 Json catmull_clark(const std::string& strength = "1") {
@@ -20,17 +15,7 @@ Json catmull_clark(const std::string& strength = "1") {
           {"mask", {"1/8", "1/2", "3/4", "1/2", "1/8"}},
           {"rules",
            {{{"point", {0, 0}},
-             {"terms", {term(0, 0, 0, "1 - 7*" + s + "/(4*n)"), mean(0, 1, 0, "3*" + s + "/(2*n)"), mean(0, 1, 1, s + "/(4*n)")}}}}}};
-}
-
-Json spectral(const Json& scheme, const std::string& valence, const Json& proof) {
-  return {{"format", "limes-certificate"},
-          {"version", 1},
-          {"scheme", scheme},
-          {"claim", {{"statement", "spectral-condition"}, {"valence", valence}}},
-          {"verdict", "certified"},
-          {"theorem", "E1"},
-          {"proof", proof}};
+             {"terms", {at(0, 0, 0, "1 - 7*" + s + "/(4*n)"), harmonic(0, 1, 0, "3*" + s + "/(2*n)"), harmonic(0, 1, 1, s + "/(4*n)")}}}}}};
 }
 
 Json cell(const std::string& to, const std::string& low, const std::string& high) {
@@ -39,7 +24,7 @@ Json cell(const std::string& to, const std::string& low, const std::string& high
 
 /// All valences from 30 on, whose second eigenvalue of block 0 tends to lambda with n.
 Json touching(const Json& scheme) {
-  return spectral(scheme, "[30, inf)",
+  return spectral_certificate(scheme, "[30, inf)",
                   {{"rings", 2},
                    {"level", 1},
                    {"valences", Json::array()},
@@ -67,8 +52,8 @@ TEST(ForgedVertices, TouchingBlocksWithHarmonicsNeedADifferentiableEigenvalue) {
   Json scheme = catmull_clark();
   scheme["rules"].push_back({{"point", {1, 0}},
                              {"terms",
-                              {term(1, 0, 0, "3/8"), term(1, 0, 1, "1/16"), term(1, 0, -1, "1/16"), term(1, 1, 0, "1/16"),
-                               term(1, 1, -1, "1/16"), mean(0, 1, 0, "3/8"), mean(1, 1, 0, "3/4")}}});
+                              {at(1, 0, 0, "3/8"), at(1, 0, 1, "1/16"), at(1, 0, -1, "1/16"), at(1, 1, 0, "1/16"),
+                               at(1, 1, -1, "1/16"), harmonic(0, 1, 0, "3/8"), harmonic(1, 1, 0, "3/4")}}});
   Json json = touching(scheme);
   Json& all = json["proof"]["all"];
   all["start"] = "-1";
@@ -82,7 +67,7 @@ TEST(ForgedVertices, TouchingBlocksWithHarmonicsNeedADifferentiableEigenvalue) {
 
 TEST(ForgedVertices, ASeparatorSeparates) {
   const auto at = [](int n, const std::string& separator) {
-    return spectral(catmull_clark(), std::to_string(n),
+    return spectral_certificate(catmull_clark(), std::to_string(n),
                     {{"rings", 2}, {"level", 1}, {"valences", {{{"valence", n}, {"separator", separator}}}}});
   };
   expect_valid(at(5, "1/2"));
@@ -95,7 +80,7 @@ TEST(ForgedVertices, ASeparatorSeparates) {
 }
 
 TEST(ForgedVertices, WeightsThatAreNoneOfASurface) {
-  const Json valid = spectral(catmull_clark(), "5", {{"rings", 2}, {"level", 1}, {"valences", {{{"valence", 5}, {"separator", "1/2"}}}}});
+  const Json valid = spectral_certificate(catmull_clark(), "5", {{"rings", 2}, {"level", 1}, {"valences", {{{"valence", 5}, {"separator", "1/2"}}}}});
   expect_valid(valid);
   const auto weight = [&](int k, const std::string& text) {
     Json json = valid;

@@ -1,17 +1,17 @@
 #include "proofs/checker/checker.hpp"
-#include "proofs/prove.hpp"
 #include "schemes/catalogue.hpp"
+#include "tests/proofs/surface/decide.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
-#include <fstream>
 #include <functional>
 
 using namespace limes;
 
 namespace {
+
+using test::decide;
 
 using Json = nlohmann::json;
 
@@ -20,17 +20,6 @@ Claim smooth(const Scheme& scheme, const std::string& valences, const std::strin
   claim.valences = read_valences(valences);
   for (std::size_t k = 0; k < scheme.parameters.size(); ++k) claim.region.push_back(Interval::point(0));
   return claim;
-}
-
-/// Proves it, and leaves the certificate for limes-check.
-Verdict decide(const Scheme& scheme, const Claim& claim, const std::string& file) {
-  Verdict verdict = prove(scheme, claim);
-  if (verdict.outcome == Outcome::certified) {
-    const std::filesystem::path directory = std::filesystem::path(LIMES_BINARY_DIR) / "certificates";
-    std::filesystem::create_directories(directory);
-    std::ofstream(directory / file) << verdict.certificate_json;
-  }
-  return verdict;
 }
 
 /// L_i is an eigenvector to 1/2, K_i = side (L_i + L_{i+1}).

@@ -1,15 +1,15 @@
 #include "algebra/error.hpp"
-#include "proofs/prove.hpp"
 #include "schemes/catalogue.hpp"
+#include "tests/proofs/surface/decide.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 
 using namespace limes;
 
 namespace {
+
+using test::decide;
 
 Claim spectral(const Scheme& scheme, const std::string& valences) {
   Claim claim = read_statement("spectral-condition");
@@ -17,17 +17,6 @@ Claim spectral(const Scheme& scheme, const std::string& valences) {
   claim.region = scheme.parameter_box();
   if (const MaskSequence* sequence = scheme.level_sequence()) claim.region = {sequence->types.front().angles};
   return claim;
-}
-
-/// Proves it, and leaves the certificate for limes-check.
-Verdict decide(const Scheme& scheme, const Claim& claim, const std::string& file) {
-  Verdict verdict = prove(scheme, claim);
-  if (verdict.outcome == Outcome::certified) {
-    const std::filesystem::path directory = std::filesystem::path(LIMES_BINARY_DIR) / "certificates";
-    std::filesystem::create_directories(directory);
-    std::ofstream(directory / file) << verdict.certificate_json;
-  }
-  return verdict;
 }
 
 Scheme with_rules(const std::string& curve, const std::string& rules) {

@@ -2,10 +2,9 @@
 
 #include "algebra/error.hpp"
 #include "algebra/matrix/rational_matrix.hpp"
+#include "analysis/eigen_impl.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/finite_sections.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -175,7 +174,7 @@ std::vector<std::vector<int>> primitive_words(int length) {
 
 double spectral_radius(const Matrix& a) {
   if (!a.allFinite()) return 1e300;
-  return Eigen::EigenSolver<Matrix>(a, false).eigenvalues().cwiseAbs().maxCoeff();
+  return approx_spectral_radius(a);
 }
 
 }  // namespace

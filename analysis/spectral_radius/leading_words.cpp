@@ -1,8 +1,6 @@
 #include "analysis/spectral_radius/leading_words.hpp"
 
-#include "analysis/spectral_radius/eigen_impl.hpp"
-
-#include <Eigen/Eigenvalues>
+#include "analysis/eigen_impl.hpp"
 
 #include <cmath>
 
@@ -15,10 +13,6 @@ struct Prefix {
   Eigen::MatrixXd product;
   double norm = 0;
 };
-
-double approx_spectral_radius(const Eigen::MatrixXd& a) {
-  return a.size() == 0 || !a.allFinite() ? 0 : a.eigenvalues().cwiseAbs().maxCoeff();
-}
 
 /// The shortest w with word = w w ... w, in its least rotation.
 Word primitive_root(const Word& word) {
@@ -65,7 +59,7 @@ std::vector<LeadingWord> approx_leading_words(const MatrixFamily& family, const 
         longer.word.push_back(int(e));
         longer.norm = longer.product.norm();
         if (std::pow(longer.norm, 1.0 / length) < best * (1 - tolerance)) continue;
-        const double radius = std::pow(approx_spectral_radius(longer.product), 1.0 / length);
+        const double radius = longer.product.allFinite() ? std::pow(approx_spectral_radius(longer.product), 1.0 / length) : 0;
         if (radius > 0 && radius >= best * (1 - tolerance)) {
           double& known = found[primitive_root(longer.word)];
           known = std::max(known, radius);

@@ -2,11 +2,9 @@
 
 #include "algebra/error.hpp"
 #include "algebra/polynomial/schur_cohn.hpp"
-#include "analysis/spectral_radius/eigen_impl.hpp"
+#include "analysis/eigen_impl.hpp"
 #include "analysis/spectral_radius/exact_vectors_impl.hpp"
 #include "analysis/spectral_radius/leading_words.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -125,7 +123,7 @@ class RadiusSearch {
   }
 
   static double leading_real_eigenvalue(const RationalMatrix& a) {
-    const Eigen::VectorXcd values = approx_matrix(a).eigenvalues();
+    const Eigen::VectorXcd values = approx_eigenvalues(approx_matrix(a));
     Eigen::Index best = 0;
     const double radius = values.cwiseAbs().maxCoeff(&best);
     return std::abs(values(best).imag()) > 1e-9 * radius ? 0 : values(best).real();

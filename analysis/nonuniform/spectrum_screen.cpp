@@ -26,13 +26,14 @@ struct AffineMatrix {
   }
 };
 
-/// 0, the unit vectors, and a point with which affinity is tested.
+/// 0 and the unit vectors.
 std::vector<Point> corners(int parameters) {
   std::vector<Point> result(std::size_t(parameters) + 1, Point(std::size_t(parameters), 0));
   for (int k = 0; k < parameters; ++k) result[std::size_t(k) + 1][std::size_t(k)] = 1;
   return result;
 }
 
+/// One more point, at which affinity is tested.
 Point test_point(int parameters) {
   Point point;
   for (int k = 0; k < parameters; ++k) point.push_back(Rational(2 * k + 3) / (k + 5));

@@ -42,7 +42,7 @@ ExponentBounds sobolev_exponent(const LaurentPolynomial& b, int p, int order, in
 Rational root_above(const Rational& norm, int level) {
   constexpr int bits = 40;
   const Rational unit = power(Rational(1, 2), bits);
-  Rational root = Rational(std::ceil(std::ldexp(std::pow(approx_double(norm), 1.0 / level), bits))) * unit;
+  Rational root = exact_rational(std::ceil(std::ldexp(std::pow(approx_double(norm), 1.0 / level), bits))) * unit;
   while (power(root, level) <= norm) root += unit;
   return root;
 }
@@ -51,8 +51,11 @@ Rational root_above(const Rational& norm, int level) {
 void improve_by_norms(const LaurentPolynomial& b, int p, HoelderExponent& exponent, const Stop& stop) {
   constexpr int max_level = 10;
   constexpr double max_entries = 1e5;
+  const Rational greatest_norm = power(Rational(2), 900);
   for (int level = 1; level <= max_level && std::pow(p, level) <= max_entries; ++level) {
-    const Rational bound = root_above(exact_contractivity_norm(b, p, level, stop), level);
+    const Rational norm = exact_contractivity_norm(b, p, level, stop);
+    if (norm > greatest_norm) return;  // no double
+    const Rational bound = root_above(norm, level);
     if (bound >= exponent.radius.upper) continue;
     exponent.radius.upper = bound;
     exponent.level = level;
@@ -112,6 +115,10 @@ HoelderExponent bound_hoelder_exponent(const Mask& mask, int digits, const Polyt
   const int p = mask.arity;
   bound_radius(difference_sections(mask, result.order), *difference_symbol(mask, result.order), p, digits + 1, limits, result, stop);
 
+  if (result.radius.lower <= 0) {
+    result.reason = "stopped before a bound of the joint spectral radius was found";
+    return result;
+  }
   const Rational start = result.order - 1;
   const Rational lower = start - logarithm_above(result.radius.upper, p, digits + 1);
   const Rational upper = start - logarithm_below(result.radius.lower, p, digits + 1);

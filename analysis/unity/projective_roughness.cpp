@@ -113,10 +113,10 @@ Rational rounded(const Rational& x) {
 /// Newton's method for A v = lambda v with one component of v fixed to 1; nothing when it does not settle.
 std::optional<ApproxEigenpair> refined_eigenpair(const RationalMatrix& matrix, double value, const Vector& vector) {
   const int n = matrix.rows();
-  ApproxEigenpair pair{Rational(value), {}};
+  ApproxEigenpair pair{exact_rational(value), {}};
   int fixed = 0;
   for (int i = 0; i < n; ++i) {
-    pair.vector.emplace_back(vector(i));
+    pair.vector.push_back(exact_rational(vector(i)));
     if (vector(i) == 1) fixed = i;
   }
   for (int step = 0; step < 4; ++step) {

@@ -4,6 +4,7 @@
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/text_file.hpp"
 #include "proofs/prove.hpp"
 #include "reports/document/bibliography.hpp"
 #include "reports/document/latexmk.hpp"
@@ -17,7 +18,6 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <mutex>
 
@@ -115,11 +115,6 @@ std::string source_date() {
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(seconds)));
 }
 
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// Collects what is written, for the list of outputs and the manifest.
 class Output {
  public:
@@ -202,7 +197,7 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   if (latex) output.write("report.tex", "latex", to_latex(document, references, {.fragment = false, .date = source_date()}));
   else output.write("report.md", "markdown", to_markdown(document, references));
   Manifest manifest{.limes_version = LIMES_VERSION, .command = command_words(options), .schemes = {}, .outputs = output.files()};
-  for (const ReportedScheme& reported : schemes) manifest.schemes.emplace_back(reported.scheme.file.filename().string(), read_file(reported.scheme.file));
+  for (const ReportedScheme& reported : schemes) manifest.schemes.emplace_back(reported.scheme.file.filename().string(), read_text_file(reported.scheme.file, std::size_t{64} << 20));
   output.write("manifest.json", "manifest", manifest_json(manifest));
   if (latex && !options.no_pdf) {
     run_latexmk(options.output / "report.tex", options.engine, stop);

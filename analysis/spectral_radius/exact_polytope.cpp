@@ -144,7 +144,7 @@ class ExactSearch {
       const int k = int(leading.word.size());
       if (!field_) {
         std::optional<AlgebraicNumber> alpha = algebraic_root(characteristic_polynomial(exact), *lambda, k);
-        if (!alpha) return false;
+        if (!alpha || alpha->polynomial.degree() > limits_.max_degree) return false;
         field_.emplace(std::move(*alpha));
         const double radius = approx_double(field_->alpha().lower);
         for (Eigen::MatrixXd& b : approx_family_) b /= radius;

@@ -185,6 +185,7 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   ProofReportOptions contents;
   write_certificates(schemes, "certificates/", output);  // first: an interruption does not lose them
   for (const char* old : {"figures.tex", "figures.pdf", "report.pdf"}) output.remove(old);
+  contents.version = LIMES_VERSION;
   contents.polygons = data_path("polygons");
   contents.nets = data_path("surfaces");
   const Document document = proof_report(schemes, contents, stop);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int digits = 9;
 
-std::string near(const Rational& x) { return to_decimal(x, digits, Rounding::nearest); }
+std::string near(const Rational& x) { return scientific_latex(to_decimal(x, digits, Rounding::nearest)); }
 /// The first digits, for a text that goes on with dots.
 std::string truncated(const Rational& x) { return to_decimal(x, digits, x < 0 ? Rounding::up : Rounding::down); }
 

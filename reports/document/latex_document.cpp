@@ -91,7 +91,8 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \newcommand{\limesroom}[1]{\par\begingroup\dimen0=#1\relax\vskip 0pt plus\dimen0 \penalty-100\vskip 0pt plus-\dimen0\vskip\dimen0\penalty9999\vskip-\dimen0\vskip 0pt\endgroup}
 % Figures and tables stay where they are spoken of.
 \newenvironment{limesexhibit}[1]{\par\addvspace{7pt plus 4pt}\noindent\begin{minipage}{\linewidth}\centering\def\@captype{#1}%
-  \abovecaptionskip=5pt \belowcaptionskip=3pt}{\end{minipage}\par\addvspace{9pt plus 4pt}}
+  \abovecaptionskip=5pt \belowcaptionskip=3pt}{\end{minipage}\par\addvspace{12pt plus 4pt}}
+\newcommand{\limesbreak}{\hskip 0pt plus 9em\penalty 200\hskip 0pt plus -9em\relax}
 % A table is not parted from the words that lead to it.
 \newenvironment{limestable}{\@beginparpenalty=10000 \begin{center}\small}{\end{center}}
 \makeatother
@@ -174,7 +175,13 @@ class LatexWriter {
       switch (span.kind) {
         case Span::Kind::plain: result += escaped(span.text); break;
         case Span::Kind::mathematics: result += "$" + span.text + "$"; break;
-        case Span::Kind::code: result += "\\texttt{" + escaped_code(span.text) + "}"; break;
+        case Span::Kind::code: {
+          // Rather a ragged line than one with wide gaps.
+          constexpr std::size_t long_name = 10;
+          if (!options_.fragment && span.text.size() >= long_name) result += "\\limesbreak{}";
+          result += "\\texttt{" + escaped_code(span.text) + "}";
+          break;
+        }
         case Span::Kind::emphasis: result += "\\emph{" + escaped(span.text) + "}"; break;
         case Span::Kind::citation: {
           // Citations in a row, with commas between them, are one.
@@ -235,7 +242,7 @@ class LatexWriter {
     if (options_.fragment) {
       text_ += fmt::format("\\{}*{{{}}}\n", commands[std::max(level, std::size_t{1})], heading_text(heading.text));
     } else {
-      text_ += level == 0 ? "\\clearpage\n" : level == 1 ? "\\limesroom{7\\baselineskip}\n" : "";
+      text_ += level == 0 ? "\\limesroom{14\\baselineskip}\n\\addvspace{3\\baselineskip}\n" : level == 1 ? "\\limesroom{7\\baselineskip}\n" : "";
       text_ += fmt::format("\\{}{{{}}}", commands[level], heading_text(heading.text));
       label(heading.label);
       text_ += "\n";
@@ -273,7 +280,7 @@ class LatexWriter {
       return fmt::format("{} \\\\\n", fmt::join(columns, " & "));
     };
     std::string columns = "@{}";
-    for (const char c : table.columns) columns += c == 'L' ? ">{\\raggedright\\arraybackslash}p{0.27\\linewidth}" : c == 'W' ? ">{\\raggedright\\arraybackslash}p{0.46\\linewidth}" : std::string(1, c);
+    for (const char c : table.columns) columns += c == 'L' ? ">{\\raggedright\\arraybackslash}p{0.26\\linewidth}" : c == 'W' ? ">{\\raggedright\\arraybackslash}p{0.43\\linewidth}" : std::string(1, c);
     columns += "@{}";
     if (options_.fragment) {
       if (!table.caption.empty()) text_ += fmt::format("\\noindent {}\n", inline_text(table.caption));

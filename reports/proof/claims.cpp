@@ -84,7 +84,7 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
     case Theorem::e2:
       return vertex_proof_text(scheme, certificate, stop);
     default:  // P0, P1, P2
-      return projective_proof_text(scheme, certificate);
+      return projective_proof_text(scheme, certificate, state.shown);
   }
 }
 

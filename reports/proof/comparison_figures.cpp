@@ -139,7 +139,13 @@ std::vector<Rational> common_point(const Family& family) {
   int most = -1;
   for (const Shown* candidate : family.members) {
     int sum = 0;
-    for (const Shown* one : family.members) sum += certified_smoothness(*one->reported, candidate->point);
+    for (const Shown* one : family.members) {
+      // Of two such values rather the one that files name.
+      sum += 100 * certified_smoothness(*one->reported, candidate->point);
+      sum += static_cast<int>(std::count_if(one->reported->claims.begin(), one->reported->claims.end(), [&](const DecidedClaim& decided) {
+        return is_point(decided.claim.region) && midpoint(decided.claim.region) == candidate->point;
+      }));
+    }
     if (sum > most) most = sum, best = &candidate->point;
   }
   return *best;
@@ -159,7 +165,7 @@ Figure family_figure(const Family& family, const std::string& name, const std::v
       panels.all.push_back({one->scheme().name, refined_at(one->scheme(), point, *data, levels_of(one->scheme()), stop)});
     }
     if (panels.all.size() == 2) figure.columns = 2;
-    panels.add_to(figure, figure.columns == 2 ? 200 : 140, figure.columns == 2 ? 115 : 92);
+    panels.add_to(figure, 140, 92);
   }
   const std::string where = first.parameters.empty() ? "" : fmt::format(" for ${}$", point_latex(first.parameter_names(), point));
   figure.caption = rich(fmt::format("Uniform and non-uniform schemes with the same rule for equal intervals{}; the non-uniform ones over centripetal knots. {}", where, comb_words));
@@ -222,9 +228,8 @@ Blocks comparisons(const std::vector<ReportedScheme>& schemes, const ProofReport
   for (const Family& family : families_of(shown)) {
     try {
       const std::string name = "comparison-" + (family.uniform ? family.uniform : family.members.front())->scheme().name;
-      for (Figure figure : {family_figure(family, name, {"beetle.csv"}, options.polygons, stop), family_figure(family, name + "-letter", {"letter-t.csv", "letter-t-bevelled.csv"}, options.polygons, stop)}) {
-        if (!figure.panels.empty()) blocks.push_back(std::move(figure));
-      }
+      Figure figure = family_figure(family, name, {"beetle.csv", "letter-t.csv", "letter-t-bevelled.csv"}, options.polygons, stop);
+      if (!figure.panels.empty()) blocks.push_back(std::move(figure));
     } catch (const DomainError&) {
       // A pole at the common value.
     }

@@ -61,7 +61,7 @@ std::vector<std::string> values_latex(const std::vector<Rational>& values) {
     exact = exact && way.decimal;
     decimals += way.decimal ? way.decimal->size() : 0;
     fractions += way.fraction_size;
-    large = large || denominator(x) > 100;
+    large = large || denominator(x) >= 50;
   }
   std::vector<std::string> texts;
   for (const Rational& x : values) texts.push_back(large && exact && decimals <= fractions ? *written(x).decimal : inline_latex(x));
@@ -131,7 +131,7 @@ std::string point_latex(const VariableNames& names, std::span<const Rational> po
 }
 
 std::string digits_latex(const Interval& number, int digits) {
-  if (number.is_point() && to_string(number.lower).size() <= 9) return inline_latex(number.lower);
+  if (number.is_point() && to_string(number.lower).size() <= 9) return values_latex({number.lower}).front();
   for (int d = digits; d > 1; --d) {
     const std::string text = to_decimal(number.lower, d, Rounding::nearest);
     if (text == to_decimal(number.upper, d, Rounding::nearest)) return text;

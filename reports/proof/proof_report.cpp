@@ -62,7 +62,7 @@ DataTable summary_table(const std::vector<const ReportedScheme*>& schemes) {
       table.rows.push_back({rich(title_of(*group))});
     }
     bool first = true;
-    for (const DecidedClaim* one : in_order(reported->claims)) {
+    for (const DecidedClaim* one : in_order(*reported)) {
       const DecidedClaim& decided = *one;
       const Verdict& verdict = decided.verdict;
       const bool expected = verdict.outcome == decided.claim.expected;
@@ -82,7 +82,7 @@ template <class Words>
 Blocks picked_claims(const std::vector<const ReportedScheme*>& schemes, const std::string& title, const std::string& label, const std::string& last_column, const Words& words_of) {
   DataTable table{.caption = {}, .columns = "lLW", .header = {rich("scheme"), rich("claim"), rich(last_column)}, .rows = {}};
   for (const ReportedScheme* reported : schemes) {
-    for (const DecidedClaim* decided : in_order(reported->claims)) {
+    for (const DecidedClaim* decided : in_order(*reported)) {
       const RichText words = words_of(*decided);
       if (words.empty()) continue;
       const RichText region = region_rich(reported->scheme, decided->claim);
@@ -131,7 +131,7 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));
   if (options.figures) append(blocks, scheme_figures(reported, options, stop));
-  for (const DecidedClaim* decided : in_order(reported.claims)) {
+  for (const DecidedClaim* decided : in_order(reported)) {
     stop.check();
     append(blocks, decided_claim(scheme, *decided, state, stop));
   }
@@ -163,9 +163,11 @@ SchemeGroup group_of(const Scheme& scheme) {
   return scheme.weight ? SchemeGroup::weight : SchemeGroup::uniform;
 }
 
-std::vector<const DecidedClaim*> in_order(const std::vector<DecidedClaim>& claims) {
+std::vector<const DecidedClaim*> in_order(const ReportedScheme& reported) {
   std::vector<const DecidedClaim*> order;
-  for (const DecidedClaim& decided : claims) order.push_back(&decided);
+  for (const DecidedClaim& decided : reported.claims) order.push_back(&decided);
+  const SchemeGroup group = group_of(reported.scheme);
+  if (group == SchemeGroup::surface || group == SchemeGroup::weight) return order;
   const auto rank = [](const Claim& claim) {
     const bool limits = is_about_smoothness(claim);
     return std::tuple(!limits, limits ? claim.smoothness : 0, limits && claim.negated);

@@ -77,8 +77,8 @@ Blocks exponent_text(const ReportedScheme& reported);
 /// What the parts of a long report are about.
 enum class SchemeGroup { uniform, nonuniform, nonstationary, surface, weight };
 SchemeGroup group_of(const Scheme& scheme);
-/// Claims about smoothness first, by order, those that hold before those that do not; others in the order of the file.
-std::vector<const DecidedClaim*> in_order(const std::vector<DecidedClaim>& claims);
+/// Of schemes for curves: claims about smoothness first, C^m before its negation, by m; others as in the file.
+std::vector<const DecidedClaim*> in_order(const ReportedScheme& reported);
 
 /// Regions on which the scheme is proved exactly C^k.
 Blocks exact_smoothness(const ReportedScheme& reported);

@@ -45,6 +45,7 @@ double typical_curvature(const Polygon& refined);
 Figure::Panel comb_panel(const Polygon& data, const Polygon& refined, double typical);
 /// Shaded pictures of nets that surfaces.json in the folder describes.
 std::optional<Figure> characteristic_map_figure(const Scheme& scheme);
+std::optional<Figure> vertex_surface_figure(const Scheme& scheme, const Stop& stop);
 Blocks surface_figures(const Scheme& scheme, const std::filesystem::path& nets, const Stop& stop);
 
 }  // namespace limes::report_impl

@@ -126,7 +126,10 @@ Blocks section(const ReportedScheme& reported, const ProofReportOptions& options
   blocks.push_back(Heading{1, prose(title), section_label(scheme)});
   RichText words = rich("Scheme `" + scheme.name + "`");
   for (std::size_t k = 0; k < scheme.sources.size(); ++k) words = words + rich((k == 0 ? ", from [@" : ", [@") + scheme.sources[k] + "]");
-  blocks.push_back(paragraph(words + rich(".")));
+  words = words + rich(".");
+  // With a study the section on the weight function says more.
+  if (scheme.weight && !reported.weight) words = words + rich(" The mask was derived by least squares from the weight function ") + code(describe(*scheme.weight)) + rich(".");
+  blocks.push_back(paragraph(words));
   state.shown.clear();
   append(blocks, definition(scheme));
   append(blocks, exact_smoothness(reported));

@@ -204,6 +204,7 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   ProofReportOptions contents;
   write_certificates(schemes, "certificates/", output);  // first: whatever happens later, they are not lost
   for (const char* old : {"figures.tex", "figures.pdf", "report.pdf", "report.log", "figures.log"}) output.remove(old);
+  contents.version = LIMES_VERSION;
   contents.polygons = data_path("polygons");
   contents.nets = data_path("surfaces");
   const Document document = compose(schemes, contents, stop, complete);

@@ -31,6 +31,7 @@ RichText mathematics(const std::string& latex);
 RichText code(const std::string& text);
 RichText operator+(RichText a, const RichText& b);
 
+/// Level 0 is a part, 1 a section.
 struct Heading {
   int level = 1;
   RichText text;
@@ -53,9 +54,10 @@ struct Display {
 
 struct DataTable {
   RichText caption;
-  /// One letter a column: l, r, c, or L for text that may take several lines.
+  /// One letter a column: l, r, c, or L for text that may take several lines, W for such text that is long.
   std::string columns;
   std::vector<RichText> header;
+  /// A row with one cell only is the heading of those that follow.
   std::vector<std::vector<RichText>> rows;
   std::string label = {};
 };
@@ -70,6 +72,8 @@ struct Figure {
   std::string name;
   std::vector<Panel> panels;
   RichText caption;
+  /// Panels in a row; 0: all of them.
+  std::size_t columns = 0;
 };
 
 struct Statement;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace limes {
 namespace {
 
@@ -29,7 +31,7 @@ std::string escaped_code(std::string_view text) {
   std::string result;
   for (const char c : escaped(text)) {
     result += c;
-    if (c == '/' || c == '.' || c == ',') result += "\\allowbreak{}";
+    if (c == '/' || c == '.' || c == ',' || c == '-') result += "\\allowbreak{}";
   }
   return result;
 }
@@ -40,7 +42,7 @@ constexpr std::string_view preamble = R"(\documentclass[a4paper,11pt]{article}
 \usepackage{textcomp,lmodern}
 \usepackage[margin=26mm]{geometry}
 \usepackage{amsmath,amssymb,amsthm}
-\usepackage{booktabs,longtable,array}
+\usepackage{booktabs,longtable,array,multicol}
 \usepackage{microtype}
 \usepackage{pgfplots}
 \usepackage{fancyhdr}
@@ -76,14 +78,23 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \setlength{\LTpost}{8pt plus 4pt}
 \setlength{\LTcapwidth}{\textwidth}
 \setlength{\jot}{5pt}
-\renewcommand{\topfraction}{.9}
-\renewcommand{\bottomfraction}{.7}
-\renewcommand{\textfraction}{.08}
-\renewcommand{\floatpagefraction}{.8}
-\setcounter{topnumber}{4}
-\setcounter{totalnumber}{6}
+\raggedbottom
 \makeatletter
 \renewcommand*{\l@section}{\@dottedtocline{1}{0em}{2em}}
+\renewcommand*{\l@part}[2]{\addpenalty{-\@highpenalty}\addvspace{7pt plus 3pt}%
+  {\parindent=0pt\rightskip=\@pnumwidth\parfillskip=-\@pnumwidth\bfseries\leavevmode #1\hfil\nobreak\hbox to\@pnumwidth{\hss#2}\par\nobreak}}
+\renewcommand{\@tocrmarg}{2.2em plus 1fil}
+\renewcommand{\@part}{\refstepcounter{part}\limespart}
+\newcommand{\limespart}[2][]{\addcontentsline{toc}{part}{\thepart\hspace{.7em}#1}\markright{}%
+  {\parindent=0pt\raggedright\interlinepenalty=10000\normalfont\LARGE\bfseries\thepart\hspace{.7em}#2\par}\nobreak\vskip 2ex\@afterheading}
+% A section does not begin at the foot of a page.
+\newcommand{\limesroom}[1]{\par\begingroup\dimen0=#1\relax\vskip 0pt plus\dimen0 \penalty-100\vskip 0pt plus-\dimen0\vskip\dimen0\penalty9999\vskip-\dimen0\vskip 0pt\endgroup}
+% Figures and tables stay where they are spoken of.
+\newenvironment{limesexhibit}[1]{\par\addvspace{7pt plus 4pt}\noindent\begin{minipage}{\linewidth}\centering\def\@captype{#1}%
+  \abovecaptionskip=5pt \belowcaptionskip=3pt}{\end{minipage}\par\addvspace{12pt plus 4pt}}
+\newcommand{\limesbreak}{\hskip 0pt plus 9em\penalty 200\hskip 0pt plus -9em\relax}
+% A table is not parted from the words that lead to it.
+\newenvironment{limestable}{\@beginparpenalty=10000 \begin{center}\small}{\end{center}}
 \makeatother
 \newtheoremstyle{limesnamed}{}{}{\itshape}{}{\bfseries}{.}{.5em}{\thmnote{#3}}
 \theoremstyle{limesnamed}
@@ -138,13 +149,25 @@ class LatexWriter {
     for (const std::string& line : {inline_text(document_.subtitle), escaped(options_.date)}) {
       if (!line.empty()) text_ += fmt::format("\\medskip\n{}\\par\n", line);
     }
-    text_ += "\\end{center}\n\\thispagestyle{plain}\n\\tableofcontents\n\n";
+    text_ += "\\end{center}\n\\thispagestyle{plain}\n";
+    contents();
     blocks(document_.blocks);
     bibliography();
     return text_ + "\\end{document}\n";
   }
 
  private:
+  /// Long ones in two columns.
+  void contents() {
+    const auto entries = std::count_if(document_.blocks.begin(), document_.blocks.end(), [](const Block& block) {
+      const auto* heading = std::get_if<Heading>(&block);
+      return heading && heading->level <= 1;
+    });
+    constexpr int longest = 24;
+    if (entries <= longest) text_ += "\\tableofcontents\n\n";
+    else text_ += "\\begin{multicols}{2}[\\section*{\\contentsname}]\n\\small\\csname @starttoc\\endcsname{toc}\n\\end{multicols}\n\n";
+  }
+
   std::string inline_text(const RichText& text) const {
     std::string result;
     for (std::size_t k = 0; k < text.size(); ++k) {
@@ -152,7 +175,13 @@ class LatexWriter {
       switch (span.kind) {
         case Span::Kind::plain: result += escaped(span.text); break;
         case Span::Kind::mathematics: result += "$" + span.text + "$"; break;
-        case Span::Kind::code: result += "\\texttt{" + escaped_code(span.text) + "}"; break;
+        case Span::Kind::code: {
+          // Rather a ragged line than one with wide gaps.
+          constexpr std::size_t long_name = 10;
+          if (!options_.fragment && span.text.size() >= long_name) result += "\\limesbreak{}";
+          result += "\\texttt{" + escaped_code(span.text) + "}";
+          break;
+        }
         case Span::Kind::emphasis: result += "\\emph{" + escaped(span.text) + "}"; break;
         case Span::Kind::citation: {
           // Citations in a row, with commas between them, are one.
@@ -208,11 +237,12 @@ class LatexWriter {
   }
 
   void write_block(const Heading& heading) {
-    static const char* commands[] = {"section", "subsection", "subsubsection"};
-    const int level = std::clamp(heading.level, 1, 3) - 1;
+    static const char* commands[] = {"part", "section", "subsection", "subsubsection"};
+    const auto level = static_cast<std::size_t>(std::clamp(heading.level, 0, 3));
     if (options_.fragment) {
-      text_ += fmt::format("\\{}*{{{}}}\n", commands[level], heading_text(heading.text));
+      text_ += fmt::format("\\{}*{{{}}}\n", commands[std::max(level, std::size_t{1})], heading_text(heading.text));
     } else {
+      text_ += level == 0 ? "\\limesroom{14\\baselineskip}\n\\addvspace{3\\baselineskip}\n" : level == 1 ? "\\limesroom{7\\baselineskip}\n" : "";
       text_ += fmt::format("\\{}{{{}}}", commands[level], heading_text(heading.text));
       label(heading.label);
       text_ += "\n";
@@ -227,14 +257,14 @@ class LatexWriter {
     const bool aligned = lines.size() > 1 || !lines.front().first.empty();
     if (display.small) text_ += "{\\footnotesize";
     // amsmath's environments; in a fragment arrays, one a page at most.
-    constexpr std::size_t per_page = 30;
+    constexpr std::size_t per_page = 30, unbroken = 7;
     for (std::size_t begin = 0; begin < lines.size(); begin += options_.fragment ? per_page : lines.size()) {
       const std::size_t end = options_.fragment ? std::min(begin + per_page, lines.size()) : lines.size();
       text_ += options_.fragment ? "\\[\n\\begin{array}{@{}r@{\\;}l@{}}\n" : aligned ? "\\begin{align*}\n" : "\\[\n";
       for (std::size_t k = begin; k < end; ++k) {
         const auto& [left, right] = lines[k];
         if (options_.fragment) text_ += fmt::format("\\displaystyle {}&\\displaystyle {}{}\n", left, right, k + 1 < end ? "\\\\[3pt]" : "");
-        else text_ += fmt::format("{}{}{}{}\n", left, aligned ? "&" : "", right, k + 1 < end ? "\\\\" : "");
+        else text_ += fmt::format("{}{}{}{}\n", left, aligned ? "&" : "", right, k + 1 < end ? (lines.size() <= unbroken ? "\\\\*" : "\\\\") : "");
       }
       text_ += options_.fragment ? "\\end{array}\n\\]" : aligned ? "\\end{align*}" : "\\]";
       if (end < lines.size()) text_ += "\n";
@@ -250,7 +280,7 @@ class LatexWriter {
       return fmt::format("{} \\\\\n", fmt::join(columns, " & "));
     };
     std::string columns = "@{}";
-    for (const char c : table.columns) columns += c == 'L' ? ">{\\raggedright\\arraybackslash}p{0.27\\linewidth}" : std::string(1, c);
+    for (const char c : table.columns) columns += c == 'L' ? ">{\\raggedright\\arraybackslash}p{0.26\\linewidth}" : c == 'W' ? ">{\\raggedright\\arraybackslash}p{0.43\\linewidth}" : std::string(1, c);
     columns += "@{}";
     if (options_.fragment) {
       if (!table.caption.empty()) text_ += fmt::format("\\noindent {}\n", inline_text(table.caption));
@@ -262,11 +292,19 @@ class LatexWriter {
       }
       return;
     }
-    constexpr std::size_t small_table = 16;
-    if (table.caption.empty() && table.rows.size() <= small_table) {
-      text_ += fmt::format("\\begin{{center}}\\small\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\midrule\n", columns, row(table.header));
+    constexpr std::size_t small_table = 30;
+    const bool grouped = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& cells) { return cells.size() < table.header.size(); });
+    if (table.rows.size() <= small_table && !grouped) {
+      const std::string environment = table.caption.empty() ? "limestable" : "limesexhibit";
+      text_ += fmt::format("\\begin{{{}}}{}\n", environment, table.caption.empty() ? "" : "{table}\\small");
+      if (!table.caption.empty()) {
+        text_ += fmt::format("\\caption{{{}}}", inline_text(table.caption));
+        label(table.label);
+        text_ += "\n";
+      }
+      text_ += fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n{}\\midrule\n", columns, row(table.header));
       for (const auto& cells : table.rows) text_ += row(cells);
-      text_ += "\\bottomrule\n\\end{tabular}\n\\end{center}\n";
+      text_ += fmt::format("\\bottomrule\n\\end{{tabular}}\n\\end{{{}}}\n", environment);
       return;
     }
     // Wide tables are those with text that takes several lines.
@@ -279,18 +317,38 @@ class LatexWriter {
       text_ += "\\\\\n";
     }
     text_ += fmt::format("\\toprule\n{}\\midrule\n\\endhead\n\\bottomrule\n\\endlastfoot\n", row(table.header));
-    for (const auto& cells : table.rows) text_ += row(cells);
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+      const auto& cells = table.rows[k];
+      // What a row is about, and what a group of rows is about, is not parted from the next row.
+      const bool heading = cells.size() < table.header.size();
+      const bool together = heading || (k + 1 < table.rows.size() && !cells.front().empty() && table.rows[k + 1].front().empty());
+      std::string line = heading ? fmt::format("{}\\multicolumn{{{}}}{{@{{}}l@{{}}}}{{\\bfseries {}}} \\\\\n", k == 0 ? "" : "\\addlinespace\n", table.header.size(), inline_text(cells.front())) : row(cells);
+      if (together) line.insert(line.size() - 1, "*");
+      text_ += line;
+    }
     // A longtable counts itself even without a caption.
     text_ += table.caption.empty() ? "\\end{longtable}}\n\\addtocounter{table}{-1}\n" : "\\end{longtable}}\n";
   }
 
+  std::string plot_text(const Figure& figure, std::size_t panel) {
+    return fmt::format("\\limesplot{{{}-{}}}{{{}}}{{{:.2f}}}", figure.name, panel + 1, ++plots_, depth_below_area(figure.panels[panel].plot));
+  }
+
   void write_block(const Figure& figure) {
     if (options_.fragment) return;
-    text_ += "\\begin{figure}[!htbp]\n\\centering\n";
-    for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-      text_ += fmt::format("{}\\limesplot{{{}-{}}}{{{}}}{{{:.2f}}}", k == 0 ? "" : figure.panels.size() == 2 ? "\\hspace{2.5em}\n" : "\\hfill\n", figure.name, k + 1, ++plots_, depth_below_area(figure.panels[k].plot));
+    constexpr double narrow = 200;
+    text_ += "\\begin{limesexhibit}{figure}\n";
+    if (figure.panels.size() == 1 && figure.panels.front().plot.width < narrow) {  // the caption beside it
+      text_ += fmt::format("\\parbox[c]{{.42\\linewidth}}{{\\raggedleft {}}}\\hspace{{1.5em}}\\parbox[c]{{.44\\linewidth}}{{\\caption{{{}}}}}\\hspace*{{\\fill}}\n", plot_text(figure, 0), inline_text(figure.caption));
+    } else {
+      const std::size_t columns = figure.columns > 0 ? figure.columns : figure.panels.size();
+      for (std::size_t k = 0; k < figure.panels.size(); ++k) {
+        text_ += k == 0 ? "" : k % columns == 0 ? "\\par\\medskip\n" : columns == 2 ? "\\hspace{2.5em}\n" : "\\hfill\n";
+        text_ += plot_text(figure, k);
+      }
+      text_ += fmt::format("\n\\caption{{{}}}\n", inline_text(figure.caption));
     }
-    text_ += fmt::format("\n\\caption{{{}}}\n\\end{{figure}}\n\n", inline_text(figure.caption));
+    text_ += "\\end{limesexhibit}\n\n";
   }
 
   void write_block(const Statement& statement) {

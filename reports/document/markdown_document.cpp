@@ -67,6 +67,10 @@ class MarkdownWriter {
   }
   void write_block(const Heading& heading) {
     anchor(heading.label);
+    if (heading.level == 0) {  // parts and sections are of one level here: parts are set apart by a line
+      text_ += "---\n\n## " + inline_text(heading.text) + "\n\n";
+      return;
+    }
     if (heading.level == 1) ++section_, propositions_ = 0;
     text_ += fmt::format("{} {}\n\n", std::string(static_cast<std::size_t>(heading.level) + 1, '#'),
                          heading.level == 1 ? fmt::format("{}. {}", section_, inline_text(heading.text)) : inline_text(heading.text));
@@ -86,6 +90,8 @@ class MarkdownWriter {
     const auto row = [&](const std::vector<RichText>& cells) {
       std::vector<std::string> columns;
       for (const RichText& cell : cells) columns.push_back(inline_text(cell));
+      if (cells.size() < table.header.size()) columns.front() = "**" + columns.front() + "**";
+      columns.resize(table.header.size());
       text_ += fmt::format("| {} |\n", fmt::join(columns, " | "));
     };
     row(table.header);

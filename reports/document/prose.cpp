@@ -80,6 +80,7 @@ class Reader {
       Piece number{end, std::string(text_.substr(k, end - k))};
       if (text_.substr(end).starts_with("...")) number.end += 3, number.latex += "\\ldots";
       add_power(number);
+      if (at(number.end) == 'r' && !is_word(at(number.end + 1))) return Piece{number.end + 1, number.latex + "r", true, true};  // "2r+1"
       if (is_word(at(number.end))) return std::nullopt;
       return number;
     }
@@ -103,6 +104,10 @@ class Reader {
 
   void add_power(Piece& base) const {
     if (at(base.end) != '^') return;
+    if (is_letter(at(base.end + 1)) && !is_word(at(base.end + 2))) {  // "C^r"
+      base = {base.end + 2, base.latex + "^{" + std::string(1, at(base.end + 1)) + "}", base.variable, true};
+      return;
+    }
     const std::size_t digits = base.end + 1 + (at(base.end + 1) == '-');
     std::size_t last = digits;
     while (is_digit(at(last))) ++last;

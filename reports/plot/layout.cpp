@@ -164,8 +164,14 @@ Layout layout(const Plot& plot) {
       scale->ticks = *given;
     else if (scale->logarithmic)
       logarithmic_ticks(*scale);
-    else
-      linear_ticks(*scale, scale == &result.x ? std::max(4.0, result.width / 60) : std::max(5.0, result.height / 45));
+    else {
+      const double wanted = scale == &result.x ? std::max(4.0, result.width / 60) : std::max(5.0, result.height / 45);
+      linear_ticks(*scale, wanted);
+      if (scale->ticks.size() < 2) {  // one tick tells no scale
+        scale->ticks.clear();
+        linear_ticks(*scale, 2 * wanted);
+      }
+    }
   }
   return result;
 }

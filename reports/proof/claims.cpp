@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace limes::report_impl {
 namespace {
@@ -83,7 +84,7 @@ Blocks proof_of(const Scheme& scheme, const Certificate& certificate, ReportStat
     case Theorem::e2:
       return vertex_proof_text(scheme, certificate, stop);
     default:  // P0, P1, P2
-      return projective_proof_text(scheme, certificate);
+      return projective_proof_text(scheme, certificate, state.shown);
   }
 }
 
@@ -183,19 +184,26 @@ Blocks exact_smoothness(const ReportedScheme& reported) {
     }
   }
   Blocks blocks;
-  std::vector<RichText> sentences;
+  std::map<int, std::vector<Box>> regions;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const bool inside = std::any_of(found.begin(), found.end(), [&](const Exact& other) {
       const bool larger = &other != &found[k] && other.smoothness == found[k].smoothness && contains(other.region, found[k].region);
       return larger && (!contains(found[k].region, other.region) || &other < &found[k]);
     });
-    if (inside) continue;
-    const RichText region = region_rich(reported.scheme, found[k].region);
-    sentences.push_back(rich(fmt::format("exactly $C^{{{}}}$", found[k].smoothness)) + (region.empty() ? RichText{} : rich(" for ") + region));
+    if (!inside) regions[found[k].smoothness].push_back(found[k].region);
   }
-  if (sentences.empty()) return blocks;
+  if (regions.empty()) return blocks;
   RichText text = rich("Both sides are proved: the scheme is ");
-  for (std::size_t k = 0; k < sentences.size(); ++k) text = text + rich(k == 0 ? "" : k + 1 < sentences.size() ? ", " : " and ") + sentences[k];
+  std::size_t done = 0;
+  for (auto& [smoothness, boxes] : regions) {
+    std::stable_sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return !a.empty() && a.front().lower < b.front().lower; });
+    text = text + rich(done == 0 ? "" : "; ") + rich(fmt::format("exactly $C^{{{}}}$", smoothness));
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      const RichText region = region_rich(reported.scheme, boxes[k]);
+      if (!region.empty()) text = text + rich(k == 0 ? " for " : k + 1 < boxes.size() ? ", " : " and ") + region;
+    }
+    ++done;
+  }
   blocks.push_back(paragraph(text + rich(".")));
   return blocks;
 }

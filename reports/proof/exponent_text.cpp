@@ -65,13 +65,20 @@ Blocks proof_blocks(const Scheme& scheme, const DecidedExponent& decided) {
       std::vector<std::pair<int, RationalFunction>> coefficients;
       const Polynomial& polynomial = radius.exact->polynomial;
       for (int s = polynomial.degree(); s >= 0; --s) coefficients.emplace_back(s, RationalFunction::constant(0, polynomial.coefficient(s)));
-      blocks.push_back(paragraph(text + ", a zero of"));
-      Display display{{sum_line("", power_sum_terms(coefficients, "x", {}))}};
-      std::string& first = display.lines.front().right.front();
-      if (first.starts_with('=')) first.erase(0, 1);
-      close(display, ":");
-      blocks.push_back(std::move(display));
-      text.clear();
+      const std::vector<std::string> terms = power_sum_terms(coefficients, "x", {});
+      constexpr double longest = 40;
+      if (std::any_of(terms.begin(), terms.end(), [](const std::string& term) { return estimated_width(term) > longest; })) {
+        const std::size_t letters = radius.word.size();
+        text += fmt::format(", ${}$ being an eigenvalue of ${}$: ", letters > 1 ? fmt::format("\\varrho^{{{}}}", letters) : "\\varrho", word);
+      } else {
+        blocks.push_back(paragraph(text + ", a zero of"));
+        Display display{{sum_line("", terms)}};
+        std::string& first = display.lines.front().right.front();
+        if (first.starts_with('=')) first.erase(0, 1);
+        close(display, ":");
+        blocks.push_back(std::move(display));
+        text.clear();
+      }
     } else {
       text += ": ";
     }

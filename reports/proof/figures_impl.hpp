@@ -1,6 +1,7 @@
 // Figures of a proof report. Included by sources of reports/proof and reports/unity only.
 #pragma once
 
+#include "geometry/polygon.hpp"
 #include "reports/proof/sections_impl.hpp"
 
 #include <fmt/format.h>
@@ -33,8 +34,18 @@ std::optional<Figure> comb_figure(const ReportedScheme& reported, const std::vec
 /// Curvatures for several parameter values [Karciauskas & Peters 2013, Fig. 5], the side of a square magnified [Fig. 3].
 std::optional<Figure> curvature_figure(const ReportedScheme& reported, const std::filesystem::path& polygons, const Stop& stop);
 std::optional<Figure> square_figure(const ReportedScheme& reported, const std::vector<Rational>& point, const std::filesystem::path& polygons, const Stop& stop);
+/// A polygon of the folder; nothing without the file.
+std::optional<Polygon> polygon_of(const std::filesystem::path& folder, const std::string& name, bool closed);
+/// Non-uniform schemes take centripetal knots.
+Polygon refined_at(const Scheme& scheme, const std::vector<Rational>& point, const Polygon& data, int levels, const Stop& stop);
+int levels_of(const Scheme& scheme);
+/// What 95 of 100 curvatures do not exceed, 0 where the curvature vanishes or explodes.
+double typical_curvature(const Polygon& refined);
+/// A refined polygon with a comb on which the typical curvature is a tooth of a tenth of the polygon's size.
+Figure::Panel comb_panel(const Polygon& data, const Polygon& refined, double typical);
 /// Shaded pictures of nets that surfaces.json in the folder describes.
 std::optional<Figure> characteristic_map_figure(const Scheme& scheme);
+std::optional<Figure> vertex_surface_figure(const Scheme& scheme, const Stop& stop);
 Blocks surface_figures(const Scheme& scheme, const std::filesystem::path& nets, const Stop& stop);
 
 }  // namespace limes::report_impl

@@ -36,7 +36,36 @@ std::optional<std::string> decimal_latex(const RationalFunction& c) {
   if (denominator(value) % 5 != 0 || denominator(value) <= 100) return std::nullopt;
   const std::string decimal = to_decimal(abs(value), 10, Rounding::nearest);
   if (read_rational(decimal) != abs(value)) return std::nullopt;
-  return (value < 0 ? "-" : "") + decimal;
+  return (value < 0 ? "-" : "") + scientific_latex(decimal);
+}
+
+/// As short as a decimal as it is as a fraction, a slash counting twice; nothing for numbers that are not decimals.
+struct Written {
+  std::optional<std::string> decimal;
+  std::size_t fraction_size = 0;
+};
+
+Written written(const Rational& x) {
+  const std::string fraction = to_string(x);
+  const std::string decimal = to_decimal(x, 9, Rounding::nearest);
+  const bool exact = decimal.find('e') == std::string::npos && read_rational(decimal) == x;
+  return {exact ? std::optional(decimal) : std::nullopt, fraction.size() + (fraction.find('/') != std::string::npos)};
+}
+
+/// Parameter values: decimals instead of fractions with a large denominator, where that is exact and shorter.
+std::vector<std::string> values_latex(const std::vector<Rational>& values) {
+  std::size_t decimals = 0, fractions = 0;
+  bool large = false, exact = true;
+  for (const Rational& x : values) {
+    const Written way = written(x);
+    exact = exact && way.decimal;
+    decimals += way.decimal ? way.decimal->size() : 0;
+    fractions += way.fraction_size;
+    large = large || denominator(x) >= 50;
+  }
+  std::vector<std::string> texts;
+  for (const Rational& x : values) texts.push_back(large && exact && decimals <= fractions ? *written(x).decimal : inline_latex(x));
+  return texts;
 }
 
 /// "+\tfrac{w}{2} z^{3}", the sign always written.
@@ -61,6 +90,11 @@ std::string power_latex(const std::string& variable, int exponent) {
 
 }  // namespace
 
+std::string scientific_latex(const std::string& decimal) {
+  const std::size_t e = decimal.find('e');
+  return e == std::string::npos ? decimal : fmt::format("{}\\cdot10^{{{}}}", decimal.substr(0, e), decimal.substr(e + 1 + (decimal[e + 1] == '+')));
+}
+
 std::string inline_latex(const Rational& x) {
   const std::string exact = to_string(x);
   const std::size_t slash = exact.find('/');
@@ -79,8 +113,11 @@ std::string region_latex(const Scheme& scheme, const Box& region) {
     const Interval& x = region[k];
     if (k > 0) text += ",\\ ";
     text += parameter_latex(scheme.parameters[k].name);
-    if (x.is_point()) text += fmt::format("={}", inline_latex(x.lower));
-    else text += fmt::format("\\in{}{},{}{}", x.lower_open ? "(" : "[", inline_latex(x.lower), inline_latex(x.upper), x.upper_open ? ")" : "]");
+    if (x.is_point()) text += fmt::format("={}", values_latex({x.lower}).front());
+    else {
+      const std::vector<std::string> ends = values_latex({x.lower, x.upper});
+      text += fmt::format("\\in{}{},{}{}", x.lower_open ? "(" : "[", ends[0], ends[1], x.upper_open ? ")" : "]");
+    }
   }
   return text;
 }
@@ -88,13 +125,13 @@ std::string region_latex(const Scheme& scheme, const Box& region) {
 std::string point_latex(const VariableNames& names, std::span<const Rational> point) {
   std::string text;
   for (std::size_t k = 0; k < names.size() && k < point.size(); ++k) {
-    text += fmt::format("{}{}={}", k > 0 ? ",\\ " : "", parameter_latex(names[k]), inline_latex(point[k]));
+    text += fmt::format("{}{}={}", k > 0 ? ",\\ " : "", parameter_latex(names[k]), values_latex({point[k]}).front());
   }
   return text;
 }
 
 std::string digits_latex(const Interval& number, int digits) {
-  if (number.is_point() && to_string(number.lower).size() <= 9) return inline_latex(number.lower);
+  if (number.is_point() && to_string(number.lower).size() <= 9) return values_latex({number.lower}).front();
   for (int d = digits; d > 1; --d) {
     const std::string text = to_decimal(number.lower, d, Rounding::nearest);
     if (text == to_decimal(number.upper, d, Rounding::nearest)) return text;

@@ -82,7 +82,12 @@ Blocks space_proof(const Scheme&, const Certificate& certificate) {
   DataTable table{.caption = {}, .columns = "lrrl", .header = {rich("function"), rich("residue"), rich("moment"), rich("defect")}, .rows = {}};
   for (std::size_t k = 0; k < proof.defects.size() && k < space.functions.size(); ++k) {
     const MomentDefect& defect = proof.defects[k];
-    const std::string value = to_latex(defect.value, {"c"});
+    // On one line: rows are low.
+    const auto part = [](const MultivariatePolynomial& p) {
+      const std::string latex = to_latex(RationalFunction(p), {"c"});
+      return p.term_count() > 1 ? "(" + latex + ")" : latex;
+    };
+    const std::string value = defect.value.is_polynomial() ? to_latex(defect.value, {"c"}) : part(defect.value.numerator()) + "/" + part(defect.value.denominator());
     table.rows.push_back({mathematics(function_latex(space.functions[k])), mathematics(std::to_string(defect.residue)), mathematics(std::to_string(defect.moment)),
                           estimated_width(value) <= 45 ? mathematics(value) : rich("in the certificate")});
   }

@@ -147,7 +147,7 @@ Blocks characteristic_text(const Scheme& scheme, const Claim& claim, const std::
     later += fmt::format(" The factor ${}$ has {}", name, degrees_text(rest[k].polynomial, names));
     if (width <= longest_appendix) {
       later += ": its coefficients $d_s$ of $\\lambda^s$ are in the [appendix](#appendix).";
-      state.appendix.push_back(paragraph(prose(scheme.name) + rich(", ") + statement_text(claim) + rich(": ") + region_rich(scheme, claim.region) +
+      state.appendix.push_back(paragraph(code(scheme.name) + rich(", ") + statement_text(claim) + rich(": ") + region_rich(scheme, claim.region) +
                                           rich(fmt::format(", ${}(\\lambda)=\\sum_s d_s\\lambda^s$ with", name))));
       state.appendix.push_back(coefficient_display(rest[k].polynomial, names));
     } else {

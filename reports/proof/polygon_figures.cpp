@@ -12,8 +12,6 @@
 
 namespace limes::report_impl {
 
-namespace {
-
 std::optional<Polygon> polygon_of(const std::filesystem::path& folder, const std::string& name, bool closed) {
   std::error_code error;
   const std::filesystem::path file = folder / name;
@@ -21,7 +19,6 @@ std::optional<Polygon> polygon_of(const std::filesystem::path& folder, const std
   return polygon_from(read_csv_file(file), closed);
 }
 
-/// Non-uniform schemes take centripetal knots.
 Polygon refined_at(const Scheme& scheme, const std::vector<Rational>& point, const Polygon& data, int levels, const Stop& stop) {
   if (scheme.insertion_rule) {
     return refine_polygon(data.with_knots(spaced_knots(data, KnotSpacing::centripetal)), approx_nonuniform_rule(*scheme.insertion_rule, point), {.levels = levels}, stop);
@@ -31,17 +28,19 @@ Polygon refined_at(const Scheme& scheme, const std::vector<Rational>& point, con
 
 int levels_of(const Scheme& scheme) { return scheme.mask.arity == 2 ? 5 : 3; }
 
-/// A polygon after some steps with its comb; nothing where the curvature vanishes or explodes.
-std::optional<Figure::Panel> comb_panel(const Scheme& scheme, const std::vector<Rational>& point, const Polygon& data, const Stop& stop) {
-  const Polygon refined = refined_at(scheme, point, data, levels_of(scheme), stop);
+double typical_curvature(const Polygon& refined) {
   std::vector<double> sizes;
   for (const double c : curvatures(refined)) sizes.push_back(std::abs(c));
-  std::vector<double> sorted = sizes;
-  std::sort(sorted.begin(), sorted.end());
+  std::sort(sizes.begin(), sizes.end());
+  const double typical = sizes[sizes.size() * 95 / 100];
+  return typical > 0 && std::isfinite(typical) ? typical : 0;
+}
+
+Figure::Panel comb_panel(const Polygon& data, const Polygon& refined, double typical) {
+  std::vector<double> sizes;
+  for (const double c : curvatures(refined)) sizes.push_back(std::abs(c));
   double extent = 0;
   for (std::size_t i = 0; i < data.size(); ++i) extent = std::max(extent, distance(data[0], data[i]));
-  const double typical = sorted[sorted.size() * 95 / 100];
-  if (!(typical > 0) || !std::isfinite(typical)) return std::nullopt;
   Plot plot = polygon_plot(data, refined, {.title = "", .comb = 0.1 * extent / typical});
   for (PlotItem& item : plot.items) {
     if (auto* teeth = std::get_if<PlotComb>(&item)) {
@@ -63,6 +62,8 @@ std::optional<Figure::Panel> comb_panel(const Scheme& scheme, const std::vector<
   plot.height = 120;
   return Figure::Panel{std::move(plot), to_csv(refined)};
 }
+
+namespace {
 
 /// The certified region of the smoothest claim that is no point.
 const Box* widest_region(const ReportedScheme& reported, int& smoothness) {
@@ -87,7 +88,8 @@ std::optional<Figure> comb_figure(const ReportedScheme& reported, const std::vec
   for (const char* name : {"beetle.csv", "letter-t.csv"}) {
     const std::optional<Polygon> data = polygon_of(polygons, name, true);
     if (!data) continue;
-    if (std::optional<Figure::Panel> panel = comb_panel(scheme, point, *data, stop)) figure.panels.push_back(std::move(*panel));
+    const Polygon refined = refined_at(scheme, point, *data, levels_of(scheme), stop);
+    if (const double typical = typical_curvature(refined); typical > 0) figure.panels.push_back(comb_panel(*data, refined, typical));
   }
   if (figure.panels.empty()) return std::nullopt;
   figure.caption = rich(fmt::format("Closed polygons after ${}$ steps{}{}, with their curvature combs. Teeth beyond $2.5$ times a typical length are cut off.", levels_of(scheme), at_text(scheme, point),
@@ -117,9 +119,9 @@ std::optional<Figure> curvature_figure(const ReportedScheme& reported, const std
   std::string values = "parameter,length,curvature\n", points = "parameter,x,y\n", words;
   const char* names[] = {"blue", "red", "green"};
   for (int k = 0; k < 3; ++k) {
-    // A simple value in each third of the region.
-    const Rational third = range.width() / 3, from = range.lower + third * k;
-    const Rational value = simplest_between(from + third / 4, from + third * 3 / 4);
+    // Simple values near both ends of the region and in its middle.
+    const Rational at = range.lower + range.width() * Rational(1 + 7 * k, 16), reach = range.width() / 20;
+    const Rational value = simplest_between(at - reach, at + reach);
     const Polygon refined = refined_at(scheme, {value}, *data, levels_of(scheme), stop);
     const std::vector<double> curvature_values = curvatures(refined);
     std::vector<PlotPoint> curve, graph;
@@ -133,7 +135,7 @@ std::optional<Figure> curvature_figure(const ReportedScheme& reported, const std
     }
     curves.items.push_back(PlotCurve{std::move(curve), {palette(static_cast<std::size_t>(k) + 1), 0.8, Dash::solid}});
     curvature.items.push_back(PlotCurve{std::move(graph), {palette(static_cast<std::size_t>(k) + 1), 0.7, Dash::solid}});
-    words += fmt::format("{}${}={}$ ({})", k == 0 ? "" : k == 2 ? " and " : ", ", parameter_latex(scheme.parameters[0].name), inline_latex(value), names[k]);
+    words += fmt::format("{}${}$ ({})", k == 0 ? "" : k == 2 ? " and " : ", ", point_latex(scheme.parameter_names(), std::vector{value}), names[k]);
   }
   return Figure{.name = scheme.name + "-curvature",
                 .panels = {{curves, points}, {curvature, values}},

@@ -51,13 +51,15 @@ struct ProofReportOptions {
   /// Summary and theorems in front; without them the sections of the schemes follow one another (fragments).
   bool front_matter = true;
   bool figures = true;
+  /// Of Limes, under the title.
+  std::string version = {};
   /// Polygons for curvature combs; no combs when empty.
   std::filesystem::path polygons;
   /// Control nets for pictures of surfaces, with their surfaces.json; none when empty.
   std::filesystem::path nets;
 };
 
-/// A report's text with all formulas, tables and figures, in no format yet. Every number in it comes from a verdict, a certificate or a computed
+/// A report's text with all formulas, tables and figures, in no format yet. Many schemes of several kinds are in parts, kind by kind. Every number in it comes from a verdict, a certificate or a computed
 /// value; the same input gives the same document. \throws Interrupted
 Document proof_report(const std::vector<ReportedScheme>& schemes, const ProofReportOptions& options, const Stop& stop = {});
 

@@ -69,6 +69,7 @@ Blocks scheme_figures(const ReportedScheme& reported, const ProofReportOptions& 
   try {
     if (scheme.surface) {
       add(characteristic_map_figure(scheme));
+      add(vertex_surface_figure(scheme, stop));
       if (scheme.surface->virtual_points) append(blocks, surface_figures(scheme, options.nets, stop));
       return blocks;
     }

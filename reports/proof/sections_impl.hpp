@@ -74,6 +74,12 @@ Blocks undecided_text(const Scheme& scheme, const Claim& claim, const Stop& stop
 /// The bounds of Hoelder exponents, with their proofs.
 Blocks exponent_text(const ReportedScheme& reported);
 
+/// What the parts of a long report are about.
+enum class SchemeGroup { uniform, nonuniform, nonstationary, surface, weight };
+SchemeGroup group_of(const Scheme& scheme);
+/// Of schemes for curves: claims about smoothness first, C^m before its negation, by m; others as in the file.
+std::vector<const DecidedClaim*> in_order(const ReportedScheme& reported);
+
 /// Regions on which the scheme is proved exactly C^k.
 Blocks exact_smoothness(const ReportedScheme& reported);
 
@@ -82,6 +88,8 @@ Blocks theorem_statements(const std::set<Theorem>& theorems, bool exponents);
 
 /// Plots of a scheme: parameter map, basic limit function, norms, eigenvalues and root curves, curvature; of a surface scheme shaded pictures.
 Blocks scheme_figures(const ReportedScheme& reported, const ProofReportOptions& options, const Stop& stop);
+/// The same polygons by several schemes for curves, side by side in one scale; nothing with less than two such schemes.
+Blocks comparisons(const std::vector<ReportedScheme>& schemes, const ProofReportOptions& options, const Stop& stop);
 /// The parameter value that the plots show: a simple one inside of the region of the smoothest certified claim.
 std::vector<Rational> shown_point(const ReportedScheme& reported);
 /// A simple value in the middle half of a box.

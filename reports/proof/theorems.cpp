@@ -17,7 +17,7 @@ Blocks conventions(bool knots) {
   blocks.push_back(Display{{{"", {"\\lVert S_b^l\\rVert_\\infty=\\max_{0\\le i<p^l}\\sum_j\\bigl|b^{[l]}_{i-p^lj}\\bigr|,\\qquad b^{[l]}(z)=b(z)\\,b(z^p)\\cdots b(z^{p^{l-1}})."}}}});
   blocks.push_back(paragraph(
       "On a region of parameters a statement holds at every real parameter value. There, norms and signs are bounded by Bernstein coefficients on boxes that "
-      "cover the region; all computations are exact. Every proof is written down as a certificate, which an independent program (`limes-check`) "
+      "cover the region; all computations are exact, and so are decimals in regions. Every proof is written down as a certificate, which an independent program (`limes-check`) "
       "has verified from the scheme's definition alone."));
   if (knots) {
     blocks.push_back(paragraph(

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int digits = 9;
 
-std::string near(const Rational& x) { return to_decimal(x, digits, Rounding::nearest); }
+std::string near(const Rational& x) { return scientific_latex(to_decimal(x, digits, Rounding::nearest)); }
 /// The first digits, for a text that goes on with dots.
 std::string truncated(const Rational& x) { return to_decimal(x, digits, x < 0 ? Rounding::up : Rounding::down); }
 
@@ -53,9 +53,14 @@ DataTable cone_table(const WeightCone& cone) {
   return table;
 }
 
-std::vector<Block> cone_proof(const ProjectiveContraction& contraction) {
+std::vector<Block> cone_proof(const ProjectiveContraction& contraction, std::set<std::string>& shown) {
   std::vector<Block> blocks;
   const WeightCone& cone = contraction.cone;
+  std::string key = fmt::format("cone {}", contraction.level);
+  for (const auto* side : {&cone.lower, &cone.upper}) {
+    for (const Rational& x : *side) key += " " + to_string(x);
+  }
+  if (!shown.insert(key).second) return {Paragraph{rich("The cone above satisfies the conditions of [Theorem P1](#theorem-P1), with the same $L$, $q$ and $B$.")}};
   blocks.push_back(Paragraph{rich(fmt::format("By [Theorem P1](#theorem-P1) with $L={}$ and the cone over the box $l\\le z\\le u$,{}", contraction.level,
                                               cone.lower.size() <= 10 ? " rounded here to" : " whose numbers are in the certificate."))});
   if (cone.lower.size() <= 10) blocks.push_back(cone_table(cone));
@@ -64,10 +69,10 @@ std::vector<Block> cone_proof(const ProjectiveContraction& contraction) {
   return blocks;
 }
 
-std::vector<Block> roughness_proof(const ProjectiveRoughness& roughness) {
+std::vector<Block> roughness_proof(const ProjectiveRoughness& roughness, std::set<std::string>& shown) {
   const double length = static_cast<double>(roughness.word.size());
   const double ratio = std::pow(std::abs(approx_double(roughness.second.value / roughness.dominant.value)), 1 / length);
-  std::vector<Block> blocks = cone_proof(roughness.contraction);
+  std::vector<Block> blocks = cone_proof(roughness.contraction, shown);
   blocks.push_back(Paragraph{rich(fmt::format(
       "By [Theorem P2](#theorem-P2) the word $W$ with $A_W={}$ shows that the limits are not $C^1$: it has the eigenvalues $\\lambda_1={}\\ldots$, with an eigenvector inside of the cone, and "
       "$\\lambda_2={}\\ldots$, hence $|\\lambda_2/\\lambda_1|^{{1/{}}}={:.6f}\\ldots>\\frac12$. The limit in the direction of $\\lambda_2$ does not vanish in the window $A_U={}$. The eigenpairs are enclosed by the "
@@ -79,11 +84,11 @@ std::vector<Block> roughness_proof(const ProjectiveRoughness& roughness) {
 
 }  // namespace
 
-std::vector<Block> projective_proof_text(const Scheme& scheme, const Certificate& certificate) {
+std::vector<Block> projective_proof_text(const Scheme& scheme, const Certificate& certificate, std::set<std::string>& shown) {
   if (const auto* zero = std::get_if<ZeroLimitProof>(&certificate.proof)) return zero_limits(scheme, *zero);
   const auto* cone = std::get_if<ConeProof>(&certificate.proof);
   if (!cone) throw InternalError("projective_proof_text: a proof of another theorem");
-  return cone->roughness ? roughness_proof(*cone->roughness) : cone_proof(cone->contraction);
+  return cone->roughness ? roughness_proof(*cone->roughness, shown) : cone_proof(cone->contraction, shown);
 }
 
 }  // namespace limes

@@ -40,6 +40,7 @@ TEST(RichText, ProseFindsSmoothnessAndPowers) {
   EXPECT_EQ(kinds(prose("C2 ends, 32 w^3 + 4 w >= 1; 2^-3, sigma^1, XC2 C2x")), "m:C^{2}|p: ends, |m:32\\,w^{3}+4\\,w\\ge 1|p:; |m:2^{-3}|p:, |m:\\sigma^{1}|p:, XC2 C2x|");
   EXPECT_EQ(kinds(prose("at w* = 0.192..., a 12-point six-point, degree 5 and 4")), "p:at |m:w^{*}=0.192\\ldots|p:, a 12-point six-point, degree 5 and 4|");
   EXPECT_EQ(kinds(prose("cinpact(c=2.5, sigma=-7), above 1/32")), "p:cinpact(|m:c=2.5|p:, |m:\\sigma=-7|p:), above |m:1/32|");
+  EXPECT_EQ(kinds(prose("degree 2r+1 gives C^r, the 3rd")), "p:degree |m:2r+1|p: gives |m:C^{r}|p:, the 3rd|");
   EXPECT_EQ(kinds(prose("$50 & `x`")), "p:$50 & `x`|") << "the words of others are no markup";
 }
 
@@ -78,6 +79,21 @@ TEST(Latex, EscapesAndRefers) {
   EXPECT_THAT(text, HasSubstr("\\bibitem{Dyn1992} Nira Dyn. \\emph{Schemes}."));
   EXPECT_THAT(text, HasSubstr("\\texttt{a\\_b} & $1$"));
   EXPECT_THAT(text, HasSubstr("\\qedhere")) << "the end of a proof beside its last display";
+}
+
+TEST(Latex, PartsAndHeadingsOfRows) {
+  Document document{.title = "T", .subtitle = {}, .blocks = {Heading{0, rich("First part"), "first"}, Heading{1, rich("Section"), "one"}}};
+  document.blocks.push_back(DataTable{.caption = {}, .columns = "lr", .header = {rich("name"), rich("value")}, .rows = {{rich("group")}, {rich("a"), rich("1")}, {{}, rich("2")}}});
+  const std::string text = to_latex(document, references);
+  EXPECT_THAT(text, HasSubstr("\\part{First part}\\label{first}"));
+  EXPECT_THAT(text, HasSubstr("\\multicolumn{2}{@{}l@{}}{\\bfseries group} \\\\*"));
+  EXPECT_THAT(text, HasSubstr("a & 1 \\\\*\n & 2 \\\\\n")) << "rows about one thing begin together";
+  EXPECT_THAT(text, HasSubstr("\\tableofcontents"));
+  const std::string markdown = to_markdown(document, references);
+  EXPECT_THAT(markdown, HasSubstr("## First part"));
+  EXPECT_THAT(markdown, HasSubstr("| **group** |  |"));
+  for (int k = 0; k < 30; ++k) document.blocks.push_back(Heading{1, rich("More")});
+  EXPECT_THAT(to_latex(document, references), HasSubstr("\\begin{multicols}{2}")) << "long contents";
 }
 
 TEST(Latex, FragmentNeedsNoPackage) {

@@ -6,6 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace limes {
 namespace {
 
@@ -49,22 +52,22 @@ TEST(ProofReport, DefinitionVerdictsAndProofs) {
   EXPECT_THAT(text, HasSubstr("For $w=1/16$ the scheme is $C^{1}$."));
   EXPECT_THAT(text, HasSubstr("=3/4=0.75<1")) << "the norm for l = 2";
   EXPECT_THAT(text, HasSubstr("For no $w\\in[0,1/4]$ the scheme is $C^{2}$."));
-  EXPECT_THAT(text, HasSubstr("It is false that for every $w\\in[1/1000,1/5]$"));
+  EXPECT_THAT(text, HasSubstr("It is false that for every $w\\in[0.001,0.2]$"));
   EXPECT_THAT(text, HasSubstr("\\begin{erratum}\n$C^{1}$ ends at $w^{*}=0.19272$."));
   EXPECT_THAT(text, HasSubstr("exactly $C^{1}$ for $w=1/16$"));
   EXPECT_THAT(text, HasSubstr("Of $3$ claims about $1$ scheme, $2$ are certified, $1$ refuted, and $0$ undecided."));
 }
 
-TEST(ProofReport, EveryReferenceHasItsLabel) {
+TEST(ProofReport, ClaimsInOrderAndErrataInFront) {
   const std::string text = latex_of(four_point);
-  for (std::size_t at = 0; (at = text.find("\\hyperref[", at)) != std::string::npos; ++at) {
-    const std::string label = text.substr(at + 10, text.find(']', at) - at - 10);
-    EXPECT_THAT(text, HasSubstr("\\label{" + label + "}"));
-  }
+  EXPECT_LT(text.find("It is false that for every $w"), text.find("For no $w\\in[0,1/4]$")) << "all about C1 before what is about C2";
+  EXPECT_THAT(text, HasSubstr("\\label{errata}"));
+  EXPECT_THAT(text, HasSubstr("$C^{1}$, $w\\in[0.001,0.2]$ & $C^{1}$ ends at"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("\\label{undecided}")));
+  EXPECT_THAT(text, testing::Not(HasSubstr("\\part{"))) << "one kind of scheme";
 }
 
-TEST(ProofReport, NonuniformSchemeWithItsCharacteristicPolynomial) {
-  const std::string text = latex_of(R"toml(name = "cr"
+constexpr const char* catmull_rom = R"toml(name = "cr"
 kind = "nonuniform"
 [parameters]
 w = ["0", "1/4"]
@@ -80,7 +83,61 @@ region = { w = "1/16" }
 [[claims]]
 claim = "not C1"
 region = { w = "1/4" }
-)toml");
+)toml";
+
+TEST(ProofReport, ManySchemesOfSeveralKindsAreInParts) {
+  std::vector<ReportedScheme> schemes;
+  const auto add = [&](const char* text, const std::string& name) {
+    schemes.push_back({read_scheme(text, name + ".toml"), {}});
+    schemes.back().scheme.name = name;
+  };
+  add(catmull_rom, "first");
+  for (const char* name : {"a", "b", "c", "d", "e", "f"}) add(four_point, name);
+  const std::string text = to_latex(proof_report(schemes, {.figures = false}), {});
+  const std::size_t uniform = text.find("\\part{Uniform schemes for curves}"), nonuniform = text.find("\\part{Non-uniform schemes for curves}");
+  ASSERT_NE(uniform, std::string::npos);
+  ASSERT_NE(nonuniform, std::string::npos);
+  EXPECT_LT(uniform, text.find("\\label{scheme-a}"));
+  EXPECT_LT(text.find("\\label{scheme-f}"), nonuniform);
+  EXPECT_LT(nonuniform, text.find("\\label{scheme-first}"));
+  schemes.resize(3);
+  EXPECT_THAT(to_latex(proof_report(schemes, {.figures = false}), {}), testing::Not(HasSubstr("\\part{"))) << "few schemes need no parts";
+}
+
+TEST(ProofReport, ComparesSchemesWithTheSameUniformRule) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "limes-comparison";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "beetle.csv") << "0,0\n4,0\n5,2\n4.5,2.5\n1,3\n0,2\n";
+  std::vector<ReportedScheme> schemes{decided(four_point), decided(catmull_rom)};
+  const Document document = proof_report(schemes, {.polygons = folder});
+  const Figure* comparison = nullptr;
+  for (const Figure* figure : figures(document)) {
+    if (figure->name == "comparison-mine") comparison = figure;
+  }
+  ASSERT_NE(comparison, nullptr);
+  ASSERT_EQ(comparison->panels.size(), 2u);
+  const Plot &left = comparison->panels[0].plot, &right = comparison->panels[1].plot;
+  EXPECT_EQ(left.title, "mine");
+  EXPECT_EQ(right.title, "cr");
+  ASSERT_TRUE(left.x.lower && left.y.upper);
+  EXPECT_EQ(left.x.lower, right.x.lower);
+  EXPECT_EQ(left.y.upper, right.y.upper);
+  EXPECT_NE(comparison->panels[0].data, comparison->panels[1].data) << "the edges have different lengths";
+  schemes.pop_back();
+  for (const Figure* figure : figures(proof_report(schemes, {.polygons = folder}))) EXPECT_THAT(figure->name, testing::Not(testing::StartsWith("comparison")));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ProofReport, EveryReferenceHasItsLabel) {
+  const std::string text = latex_of(four_point);
+  for (std::size_t at = 0; (at = text.find("\\hyperref[", at)) != std::string::npos; ++at) {
+    const std::string label = text.substr(at + 10, text.find(']', at) - at - 10);
+    EXPECT_THAT(text, HasSubstr("\\label{" + label + "}"));
+  }
+}
+
+TEST(ProofReport, NonuniformSchemeWithItsCharacteristicPolynomial) {
+  const std::string text = latex_of(catmull_rom);
   EXPECT_THAT(text, HasSubstr("is of size $7\\times7$"));
   EXPECT_THAT(text, HasSubstr("(\\lambda-1)(\\lambda-\\tfrac1{2})"));
   EXPECT_THAT(text, HasSubstr("For $w=1/16$ the scheme is $C^{1}$, for every knot sequence."));
@@ -202,6 +259,17 @@ TEST(Formulas, GuaranteedDigits) {
   EXPECT_EQ(digits_latex(Interval::point(Rational(3) / 4)), "3/4");
   EXPECT_EQ(digits_latex({Rational(12341) / 100000, Rational(12342) / 100000}), "0.1234");
   EXPECT_EQ(inline_latex(Rational(1) / 3), "1/3");
+  EXPECT_EQ(scientific_latex("-8.3e-8"), "-8.3\\cdot10^{-8}");
+  EXPECT_EQ(scientific_latex("0.25"), "0.25");
+}
+
+TEST(Formulas, ParameterValuesAreExactAndShort) {
+  const auto value = [](const Rational& x) { return point_latex({"w"}, std::vector{x}); };
+  EXPECT_EQ(value(Rational(1) / 16), "w=1/16");
+  EXPECT_EQ(value(Rational(1) / 128), "w=1/128") << "longer as a decimal";
+  EXPECT_EQ(value(Rational(1) / 65), "w=1/65") << "no decimal";
+  EXPECT_EQ(value(Rational(141) / 10000), "w=0.0141");
+  EXPECT_EQ(value(Rational(-1) / 1000), "w=-0.001");
 }
 
 TEST(Formulas, SumsHaveSigns) {

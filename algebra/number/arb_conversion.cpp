@@ -21,5 +21,6 @@ Rational end_of(const arb_t x, void (*bound)(arf_t, const arb_t, slong)) {
 
 Rational lower_end(const arb_t x) { return end_of(x, arb_get_lbound_arf); }
 Rational upper_end(const arb_t x) { return end_of(x, arb_get_ubound_arf); }
+Interval enclosure(const arb_t x) { return {lower_end(x), upper_end(x)}; }
 
 }  // namespace limes

@@ -1,20 +1,11 @@
 #include "algebra/number/elementary.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/number/arb_conversion.hpp"
 #include "algebra/number/flint_conversion.hpp"
-
-#include <arb.h>
 
 namespace limes {
 namespace {
-
-struct ArbNumber {
-  ArbNumber() { arb_init(data); }
-  ~ArbNumber() { arb_clear(data); }
-  ArbNumber(const ArbNumber&) = delete;
-  ArbNumber& operator=(const ArbNumber&) = delete;
-  arb_t data;
-};
 
 Rational exact(const arf_t x) {
   FlintRational result;
@@ -23,7 +14,7 @@ Rational exact(const arf_t x) {
 }
 
 /// The ends of a ball, rounded outward to `bits` bits so that they stay short.
-Interval ends(const ArbNumber& ball, int bits) {
+Interval ends(const RealBall& ball, int bits) {
   arf_t lower, upper;
   arf_init(lower);
   arf_init(upper);
@@ -38,11 +29,11 @@ Interval ends(const ArbNumber& ball, int bits) {
 }
 
 template <class Function>
-Interval enclosure(const Rational& x, int bits, Function function) {
+Interval enclosure_of(const Rational& x, int bits, Function function) {
   clean_up_flint_at_thread_exit();
   if (bits < 16 || bits > 10000 || abs(x) > 1000) throw DomainError("enclosure: precision or argument out of range");
   const FlintRational argument(x);
-  ArbNumber ball, value;
+  RealBall ball, value;
   // Near a zero of the cosine relative accuracy takes more bits; a rational is no zero.
   for (int precision = bits + 64;; precision *= 2) {
     arb_set_fmpq(ball.data, argument.data, precision);
@@ -55,18 +46,18 @@ Interval enclosure(const Rational& x, int bits, Function function) {
 }  // namespace
 
 Interval pi_enclosure(int bits) {
-  return enclosure(Rational(0), bits,
+  return enclosure_of(Rational(0), bits,
                    [](arb_t value, const arb_t, slong precision) { arb_const_pi(value, precision); });
 }
 
 Interval cos_enclosure(const Rational& x, int bits) {
   if (x == 0) return Interval::point(1);
-  return enclosure(x, bits, [](arb_t value, const arb_t y, slong precision) { arb_cos(value, y, precision); });
+  return enclosure_of(x, bits, [](arb_t value, const arb_t y, slong precision) { arb_cos(value, y, precision); });
 }
 
 Interval cosh_enclosure(const Rational& x, int bits) {
   if (x == 0) return Interval::point(1);
-  return enclosure(x, bits, [](arb_t value, const arb_t y, slong precision) { arb_cosh(value, y, precision); });
+  return enclosure_of(x, bits, [](arb_t value, const arb_t y, slong precision) { arb_cosh(value, y, precision); });
 }
 
 }  // namespace limes

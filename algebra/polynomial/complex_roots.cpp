@@ -12,8 +12,6 @@
 namespace limes {
 namespace {
 
-Interval enclosure(const arb_t x) { return {lower_end(x), upper_end(x)}; }
-
 /// Integer coefficients of a positive multiple.
 class IntegerPolynomial {
  public:
@@ -41,19 +39,16 @@ std::vector<ComplexRoot> simple_roots(const Polynomial& square_free, int bits) {
   const int degree = square_free.degree();
   if (degree < 1) return roots;
   const IntegerPolynomial integral(square_free);
-  acb_ptr balls = _acb_vec_init(degree);
-  arb_fmpz_poly_complex_roots(balls, integral.value, 0, bits);
-  arb_t modulus;
-  arb_init(modulus);
-  for (slong k = 0; k < degree; ++k) {
-    acb_abs(modulus, balls + k, bits + 16);
-    ComplexRoot root{enclosure(acb_realref(balls + k)), enclosure(acb_imagref(balls + k)), enclosure(modulus), 1};
+  const Balls balls(static_cast<std::size_t>(degree));
+  arb_fmpz_poly_complex_roots(balls.data(), integral.value, 0, bits);
+  RealBall modulus;
+  for (std::size_t k = 0; k < balls.count(); ++k) {
+    acb_abs(modulus.data, balls[k], bits + 16);
+    ComplexRoot root{enclosure(acb_realref(balls[k])), enclosure(acb_imagref(balls[k])), enclosure(modulus.data), 1};
     root.modulus.lower = std::max(root.modulus.lower, Rational(0));
     make_exact(root, square_free, bits);
     roots.push_back(std::move(root));
   }
-  arb_clear(modulus);
-  _acb_vec_clear(balls, degree);
   return roots;
 }
 

@@ -14,30 +14,6 @@
 namespace limes {
 namespace {
 
-/// Arb numbers that clear themselves.
-class Balls {
- public:
-  explicit Balls(std::size_t count) : data_(_acb_vec_init(slong(count))), count_(slong(count)) {}
-  ~Balls() { _acb_vec_clear(data_, count_); }
-  Balls(const Balls&) = delete;
-  Balls& operator=(const Balls&) = delete;
-  acb_ptr operator[](std::size_t i) const { return data_ + i; }
-  acb_ptr data() const { return data_; }
-  std::size_t count() const { return std::size_t(count_); }
-
- private:
-  acb_ptr data_;
-  slong count_;
-};
-
-struct RealBall {
-  RealBall() { arb_init(data); }
-  ~RealBall() { arb_clear(data); }
-  RealBall(const RealBall&) = delete;
-  RealBall& operator=(const RealBall&) = delete;
-  arb_t data;
-};
-
 void set_interval(arb_t out, const Interval& x, slong bits) {
   const FlintRational lower(x.lower), upper(x.upper);
   arb_set_fmpq(out, lower.data, bits);
@@ -74,8 +50,6 @@ void evaluate(const Balls& out, const std::vector<MultivariatePolynomial>& coeff
     }
   }
 }
-
-Interval enclosure(const arb_t x) { return {lower_end(x), upper_end(x)}; }
 
 /// Approximate roots, pairwise different, without error bounds.
 void approx_roots(const Balls& roots, const Balls& monic, slong degree, slong bits) {

@@ -69,7 +69,8 @@ SpectrumSettings spectrum_settings(const Scheme& scheme, const std::vector<std::
   }
   if (type && *type != "trigonometric" && *type != "hyperbolic" && *type != "polynomial")
     throw InputError(fmt::format("--param type={}: the type is trigonometric, polynomial or hyperbolic", *type));
-  if (type == "hyperbolic") result.type = AngleType::hyperbolic;
+  if (!type || type == "polynomial") result.type = sequence.types.front().type;
+  else result.type = type == "hyperbolic" ? AngleType::hyperbolic : AngleType::trigonometric;
   if (type == "polynomial" && angle) throw InputError(fmt::format("--param type=polynomial: the {} is 0", sequence.angle));
   const MaskSequence::Range* range = sequence.find(result.type);
   if (!range) throw InputError(fmt::format("{} has no {} type", scheme.name, to_string(result.type)));

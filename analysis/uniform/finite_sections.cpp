@@ -4,13 +4,15 @@
 
 namespace limes {
 
+int section_size(int degree, int arity) { return std::max(1, (degree + arity - 2) / (arity - 1)); }
+
 FiniteSections::FiniteSections(const LaurentPolynomial& b, int arity) : FiniteSections(b, common_denominator(b), arity) {}
 
 FiniteSections::FiniteSections(const LaurentPolynomial& b, MultivariatePolynomial denominator, int arity)
     : arity_(arity), size_(0), denominator_(std::move(denominator)) {
   if (b.is_zero() || arity < 2) throw DomainError("FiniteSections: needs a non-zero symbol and arity >= 2");
   const int n = b.length() - 1;
-  size_ = std::max(1, (n + arity - 2) / (arity - 1));
+  size_ = section_size(n, arity);
   const std::vector<MultivariatePolynomial> entries = numerators_over(b, denominator_);
   for (int e = 0; e < arity; ++e) {
     PolynomialMatrix section(b.variables(), size_, size_);

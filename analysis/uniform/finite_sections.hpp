@@ -8,9 +8,12 @@
 
 namespace limes {
 
+/// The size of the index set R of the finite sections for a symbol of degree N: max(1, ceil(N/(p-1))). Smaller ones give false values.
+int section_size(int degree, int arity);
+
 /// The finite sections of S_b: with b shifted to support [0, N], (B_e)_{ij} = b_{e + p j - i} for i, j in R = {0, .., max(1, ceil(N/(p-1))) - 1},
 /// e = 0 .. p-1. R is invariant: b_{e+pj-i} != 0 and i in R imply j in R, so that the joint spectral radius of the B_e is the
-/// spectral radius lim ||S_b^l||^{1/l}. Smaller index sets give false values.
+/// spectral radius lim ||S_b^l||^{1/l}.
 class FiniteSections {
  public:
   /// With D the least common denominator. \pre b != 0, arity >= 2. \throws DomainError

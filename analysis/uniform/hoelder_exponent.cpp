@@ -17,7 +17,7 @@ namespace {
 /// columns are i, j >= 0. sum_i |b^{[l]}_i|^2 = (T^l delta)_0 grows as its spectral radius, which is an eigenvalue: T maps the cone of
 /// sequences with non-negative Fourier transform to itself, and delta is in its interior.
 RationalMatrix transition_operator(const std::vector<Rational>& b, int p) {
-  const int n = int(b.size()) - 1, size = std::max(1, (n + p - 2) / (p - 1)) + 1;
+  const int n = int(b.size()) - 1, size = section_size(n, p) + 1;
   const auto c = [&](int k) {
     Rational sum = 0;
     for (int i = 0; i + std::abs(k) <= n; ++i) sum += b[std::size_t(i)] * b[std::size_t(i + std::abs(k))];

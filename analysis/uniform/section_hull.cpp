@@ -1,6 +1,7 @@
 #include "analysis/uniform/section_hull.hpp"
 
 #include "algebra/polynomial/bernstein_form.hpp"
+#include "analysis/uniform/finite_sections.hpp"
 
 namespace limes {
 
@@ -21,7 +22,7 @@ std::optional<MatrixFamily> section_hull(const LaurentPolynomial& b, const Multi
 
   // The index set of b itself, also where an end coefficient vanishes: it stays invariant.
   const int width = b.length() - 1;
-  const int size = std::max(1, (width + arity - 2) / (arity - 1));
+  const int size = section_size(width, arity);
   MatrixFamily family;
   for (std::size_t place = 0; place < divisor.size(); ++place) {
     for (int e = 0; e < arity; ++e) {

@@ -90,18 +90,11 @@ std::string claims_text(const std::vector<Claim>& claims) {
   return text.empty() ? "-" : text;
 }
 
-std::string exponent_text(const ExponentBounds& bounds) {
-  if (!bounds.lower) return "-";
-  const std::string lower = to_decimal(*bounds.lower, 4, Rounding::down);
-  if (!bounds.upper) return ">= " + lower;
-  return *bounds.lower == *bounds.upper ? lower : fmt::format("[{}, {}]", lower, to_decimal(*bounds.upper, 4, Rounding::up));
-}
-
 void print_costs(const std::vector<SmoothnessCost>& costs) {
   TextTable table({{"sum rules", 0, TextTable::Align::right}, {"E", 14, TextTable::Align::right}, {"Hoelder exponent", 16, TextTable::Align::right}, {"certified"}});
   std::cout << "\n" << table.header();
   for (const SmoothnessCost& cost : costs) {
-    std::cout << table.row({fmt::format("{}", cost.sum_rules), fmt::format("{:.6g}", cost.error), exponent_text(cost.exponent), claims_text(cost.claims)});
+    std::cout << table.row({fmt::format("{}", cost.sum_rules), fmt::format("{:.6g}", cost.error), cost.exponent.lower ? exponent_range(cost.exponent) : "-", claims_text(cost.claims)});
   }
 }
 

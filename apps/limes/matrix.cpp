@@ -7,6 +7,7 @@
 #include "analysis/nonuniform/isolated_ratio.hpp"
 #include "analysis/nonuniform/split_characteristic_polynomial.hpp"
 #include "analysis/nonuniform/subdivision_matrix.hpp"
+#include "reports/proof/formulas.hpp"
 #include "schemes/catalogue.hpp"
 #include "schemes/parameter_settings.hpp"
 
@@ -54,10 +55,6 @@ void print_text(const MatrixReport& report) {
   }
 }
 
-std::string latex_coefficient(const MultivariatePolynomial& d, const VariableNames& names) {
-  return to_latex(RationalFunction(d), names);
-}
-
 void print_latex(const MatrixReport& report) {
   const SubdivisionMatrix& matrix = report.matrix;
   const int last = matrix.points() - 1;
@@ -74,14 +71,7 @@ void print_latex(const MatrixReport& report) {
   const auto product = [&](const std::vector<CharacteristicFactor>& factors) {
     std::string text;
     for (const CharacteristicFactor& factor : factors) {
-      std::string sum;
-      for (int s = factor.polynomial.degree(); s >= 0; --s) {
-        const MultivariatePolynomial& d = factor.polynomial.coefficients()[s];
-        if (d.is_zero()) continue;
-        sum += fmt::format("{}\\left({}\\right){}", sum.empty() ? "" : "+", latex_coefficient(d, report.names),
-                           s == 0 ? "" : s == 1 ? "\\lambda" : fmt::format("\\lambda^{{{}}}", s));
-      }
-      text += fmt::format("\\Bigl({}\\Bigr){}", sum, factor.multiplicity > 1 ? fmt::format("^{{{}}}", factor.multiplicity) : "");
+      text += fmt::format("\\Bigl({}\\Bigr){}", joined_sum(lambda_terms(factor.polynomial, report.names)), factor.multiplicity > 1 ? fmt::format("^{{{}}}", factor.multiplicity) : "");
     }
     return text.empty() ? std::string("1") : text;
   };

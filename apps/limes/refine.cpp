@@ -103,6 +103,10 @@ std::string content(const std::string& kind, const Refined& what, const RefineOp
 
 int run_refine(const RefineOptions& options) {
   const Session session(options);
+  for (const std::filesystem::path& output : options.outputs) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(output, options.data, ignored)) throw InputError(fmt::format("-o {}: that is the input", output.string()));
+  }
   const Scheme scheme = load_scheme(options.scheme);
   if (scheme.surface) return refine_surface(scheme, options, session.stop());
   if (!options.net.empty()) throw InputError(fmt::format("--net: {} is no surface scheme", scheme.name));

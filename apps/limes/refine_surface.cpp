@@ -22,6 +22,7 @@ namespace {
 /// The angles of both directions from theta, theta1, theta2, type, type1 and type2.
 std::array<EdgeAngle, 2> angles_from(const Scheme& scheme, const std::vector<std::string>& settings) {
   const std::string& angle = scheme.surface->sequence.angle;
+  const AngleType usual = scheme.surface->sequence.types.front().type;
   std::array<std::optional<Rational>, 2> thetas;
   std::array<std::optional<AngleType>, 2> types;
   const auto set = [](auto& places, const std::string& setting, const std::string& suffix, const auto& value) {
@@ -42,7 +43,7 @@ std::array<EdgeAngle, 2> angles_from(const Scheme& scheme, const std::vector<std
       if (value != "trigonometric" && value != "hyperbolic" && value != "polynomial")
         throw InputError(fmt::format("--param {}: the type is trigonometric, polynomial or hyperbolic", setting));
       if (value == "polynomial") set(thetas, setting, suffix, Rational(0));
-      set(types, setting, suffix, value == "hyperbolic" ? AngleType::hyperbolic : AngleType::trigonometric);
+      set(types, setting, suffix, value == "polynomial" ? usual : value == "hyperbolic" ? AngleType::hyperbolic : AngleType::trigonometric);
     } else {
       const std::optional<Rational> theta = [&] {
         try {
@@ -58,7 +59,7 @@ std::array<EdgeAngle, 2> angles_from(const Scheme& scheme, const std::vector<std
   std::array<EdgeAngle, 2> angles;
   for (std::size_t k = 0; k < 2; ++k) {
     if (!thetas[k]) throw InputError(fmt::format("refining needs the angle of an edge: --param {}=ANGLE, or type=polynomial", angle));
-    angles[k] = {types[k].value_or(AngleType::trigonometric), *thetas[k]};
+    angles[k] = {types[k].value_or(usual), *thetas[k]};
     const MaskSequence::Range* range = scheme.surface->sequence.find(angles[k].type);
     if (!range) throw InputError(fmt::format("{} has no {} type", scheme.name, to_string(angles[k].type)));
     if (!range->angles.contains(angles[k].theta))

@@ -10,6 +10,7 @@
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "reports/plot/characteristic_map_plot.hpp"
+#include "reports/proof/formulas.hpp"
 #include "schemes/catalogue.hpp"
 #include "schemes/surface/ring_expression.hpp"
 
@@ -23,9 +24,9 @@
 namespace limes::app {
 namespace {
 
-std::vector<std::string> texts(const LaurentPolynomial& symbol, const VariableNames& names, bool latex) {
+std::vector<std::string> texts(const LaurentPolynomial& symbol, const VariableNames& names) {
   std::vector<std::string> result;
-  for (const RationalFunction& c : symbol.coefficients()) result.push_back(latex ? to_latex(c, names) : to_string(c, names));
+  for (const RationalFunction& c : symbol.coefficients()) result.push_back(to_string(c, names));
   return result;
 }
 
@@ -59,7 +60,7 @@ void print_claims(const Scheme& scheme) {
 }
 
 std::string mask_text(const Mask& mask, const VariableNames& names) {
-  return fmt::format("a_{} .. a_{} = {}", mask.symbol.lowest(), mask.symbol.highest(), fmt::join(texts(mask.symbol, names, false), ", "));
+  return fmt::format("a_{} .. a_{} = {}", mask.symbol.lowest(), mask.symbol.highest(), fmt::join(texts(mask.symbol, names), ", "));
 }
 
 /// "not y^2: moment 2 at residue 1 is off by ..".
@@ -77,6 +78,15 @@ std::string defect_text(const MaskSequence& sequence, AngleType type, const Expo
 void print_sequence(const Scheme& scheme) {
   const MaskSequence& sequence = *scheme.sequence;
   const VariableNames names{sequence.level_parameter};
+  // Before anything is printed: masks of which this cannot be said are an error.
+  std::vector<std::pair<std::string, std::string>> spaces;
+  const std::string shift = to_string(parameter_tau(sequence) / (sequence.mask.arity - 1));
+  for (const MaskSequence::Range& range : sequence.types) {
+    spaces.emplace_back(to_string(range.type), "generates " + to_string(reproduced_space(sequence, range.type, true)));
+    spaces.emplace_back("", fmt::format("reproduces {} with parameters t_i = i + {}", to_string(reproduced_space(sequence, range.type, false)), shift));
+    for (const auto& [function, defect] : first_failures(sequence, range.type, false)) spaces.emplace_back("", defect_text(sequence, range.type, function, defect));
+  }
+  spaces.emplace_back("theta = 0", "reproduces " + to_string(reproduced_polynomials(sequence)));
   std::cout << fmt::format("{}: {}\n", scheme.name, scheme.title);
   line("kind", fmt::format("{}, arity {}", to_string(scheme.kind), sequence.mask.arity));
   if (!scheme.sources.empty()) line("source", fmt::format("{}", fmt::join(scheme.sources, ", ")));
@@ -91,13 +101,7 @@ void print_sequence(const Scheme& scheme) {
   }
   line("mask", mask_text(sequence.mask, names));
   line("limit", mask_text(scheme.mask, scheme.parameter_names()));
-  const std::string shift = to_string(parameter_tau(sequence) / (sequence.mask.arity - 1));
-  for (const MaskSequence::Range& range : sequence.types) {
-    line(to_string(range.type), "generates " + to_string(reproduced_space(sequence, range.type, true)));
-    line("", fmt::format("reproduces {} with parameters t_i = i + {}", to_string(reproduced_space(sequence, range.type, false)), shift));
-    for (const auto& [function, defect] : first_failures(sequence, range.type, false)) line("", defect_text(sequence, range.type, function, defect));
-  }
-  line("theta = 0", "reproduces " + to_string(reproduced_polynomials(sequence)));
+  for (const auto& [type, text] : spaces) line(type, text);
   print_claims(scheme);
 }
 
@@ -120,7 +124,7 @@ void print_text(const Scheme& scheme) {
   line("mask", mask_text(mask, names));
   if (scheme.weight) line("weight", describe(*scheme.weight));
   line("symbol", fmt::format("a(z) = {}", symbol_text(mask, order)));
-  line("", fmt::format("b_{} .. b_{} = {}", b.lowest(), b.highest(), fmt::join(texts(b, names, false), ", ")));
+  line("", fmt::format("b_{} .. b_{} = {}", b.lowest(), b.highest(), fmt::join(texts(b, names), ", ")));
   line("sum rules", fmt::format("order {}", order));
   line("polynomials", reproduction_text(polynomial_degrees(mask), names));
   line("stability", stability_text(mask));
@@ -134,22 +138,9 @@ void print_latex(const Scheme& scheme) {
   const int order = sum_rule_order(mask);
   const int p = mask.arity;
   const LaurentPolynomial b = *difference_symbol(mask, order);
-  const auto power = [](int exponent, const std::string& c) -> std::string {
-    if (exponent == 0) return c == "1" ? "1" : "";
-    return exponent == 1 ? "z" : fmt::format("z^{{{}}}", exponent);
-  };
-  const auto polynomial = [&](const LaurentPolynomial& symbol) {
-    std::string text;
-    int exponent = symbol.lowest();
-    for (const std::string& c : texts(symbol, names, true)) {
-      if (c != "0") text += fmt::format("{}{}{}", text.empty() ? "" : "+", c == "1" ? "" : "\\left(" + c + "\\right)", power(exponent, c));
-      ++exponent;
-    }
-    return text;
-  };
   const std::string sigma = p == 2 ? "1+z" : p == 3 ? "1+z+z^{2}" : fmt::format("1+z+\\dots+z^{{{}}}", p - 1);
   std::cout << fmt::format("\\begin{{align*}}\n  a(z) &= {}\\\\\n       &= ({})^{{{}}}\\,{}^{{{}}}\\,b(z),\\\\\n  b(z) &= {}.\n\\end{{align*}}\n",
-                           polynomial(mask.symbol), sigma, order, p, 1 - order, polynomial(b));
+                           joined_sum(laurent_terms(mask.symbol, names)), sigma, order, p, 1 - order, joined_sum(laurent_terms(b, names)));
 }
 
 void print_surface(const Scheme& scheme) {

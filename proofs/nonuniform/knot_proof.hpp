@@ -38,8 +38,8 @@ KnotProofAttempt prove_smooth_for_all_knots(const InsertionRule& rule, int m, co
                                             const Stop& stop);
 
 /// Theorem N3: tries to prove that the scheme is not C^m for all knots, at every parameter value of the region: on each leaf by a
-/// knot ratio gamma at which an eigenvalue besides 1, .., 2^{-m} has modulus >= 2^{-m}: on leaves that are no points a real one, or
-/// another one of 1, .., 2^{-m}. \param first a ratio that is tried first
+/// knot ratio gamma at which an eigenvalue besides 1, .., 2^{-m} has modulus >= 2^{-m}: on leaves that are no points a real one, one of a complex
+/// pair, or another one of 1, .., 2^{-m}. \param first a ratio that is tried first
 ProofAttempt refute_by_ratio(const InsertionRule& rule, int m, const Box& region, const std::optional<Rational>& first,
                              const ProofLimits& limits, const Stop& stop);
 

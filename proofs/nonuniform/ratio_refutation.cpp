@@ -20,8 +20,8 @@ struct RatioTest {
   LambdaPolynomial rest;
   /// These have no zero: the leading coefficient, and the values at those 2^{-k} that are no eigenvalues.
   std::vector<MultivariatePolynomial> guards;
-  /// Where one of these is <= 0, a root has modulus >= 2^{-m}, a real one: the values at 2^{-k}, and at -2^{-k} times
-  /// (-1)^degree; any one: the determinant of the boundary test, made when it is needed.
+  /// Where one of these is <= 0, a root has modulus >= 2^{-m}: a real one by the values at 2^{-k}, and at -2^{-k} times
+  /// (-1)^degree; a real one or a complex pair by the determinant of the boundary test, made when it is needed.
   std::vector<MultivariatePolynomial> values;
   bool has_determinant = false;
 

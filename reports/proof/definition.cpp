@@ -62,13 +62,15 @@ Blocks coefficients_in_ratios(const Scheme& scheme) {
   for (int k = 1; k <= ratios; ++k) names.push_back(fmt::format("beta_{}", k));
   const std::vector<RationalFunction> stencil = rule.symbolic_stencil();
   Display display;
-  for (int j = 0; j < points / 2; ++j) {
+  const bool symmetric = is_mirror_symmetric(isolated_ratio_stencils(rule, {}));
+  const int shown = symmetric ? points / 2 : points;
+  for (int j = 0; j < shown; ++j) {
     const std::string text = to_latex(stencil[static_cast<std::size_t>(j)], names);
     if (estimated_width(text) > 70) return {};
-    display.lines.push_back({fmt::format("e_{{{}}}", j + 1), {"=" + text + (j + 1 < points / 2 ? "," : ".")}});
+    display.lines.push_back({fmt::format("e_{{{}}}", j + 1), {"=" + text + (j + 1 < shown ? "," : ".")}});
   }
-  return {paragraph(fmt::format("With the ratios $\\beta_k=(t_{{s+1}}-t_s)/(t_s-t_{{s-1}})$, $s=i{:+d}+k$, the new point is $\\sum_j e_j\\,p_{{i-{}+j}}$ with, up to symmetry,",
-                                1 - points / 2, points / 2)),
+  return {paragraph(fmt::format("With the ratios $\\beta_k=(t_{{s+1}}-t_s)/(t_s-t_{{s-1}})$, $s=i{:+d}+k$, the new point is $\\sum_j e_j\\,p_{{i-{}+j}}$ with{}",
+                                1 - points / 2, points / 2, symmetric ? ", up to symmetry," : "")),
           display};
 }
 

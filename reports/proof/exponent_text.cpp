@@ -55,7 +55,7 @@ Blocks proof_blocks(const Scheme& scheme, const DecidedExponent& decided) {
   const int p = scheme.mask.arity, k = exponent.order;
   std::string text = fmt::format("Here $a(z)={}{}\\,b(z)$, with no higher power of this factor. ", k == 1 ? "" : negative_power(p, k - 1), sigma_power(p, k));
   const std::size_t count = vectors(radius);
-  const std::string ball = fmt::format("the convex hull of ${}$ vector{}, up to symmetry", count, count == 1 ? "" : "s");
+  const std::string ball = fmt::format("the convex hull of ${}$ vector{} and {} multiple{} by $-1$", count, count == 1 ? "" : "s", count == 1 ? "its" : "their", count == 1 ? "" : "s");
   const std::string word = radius.word.empty() ? "" : word_latex(radius.word);
   const std::string root = radius.word.size() > 1 ? fmt::format("^{{1/{}}}", radius.word.size()) : "";
   Blocks blocks;

@@ -43,9 +43,10 @@ int levels_of(const Scheme& scheme);
 double typical_curvature(const Polygon& refined);
 /// A refined polygon with a comb on which the typical curvature is a tooth of a tenth of the polygon's size.
 Figure::Panel comb_panel(const Polygon& data, const Polygon& refined, double typical);
-/// Shaded pictures of nets that surfaces.json in the folder describes.
+/// Grid lines under the characteristic map for a few valences.
 std::optional<Figure> characteristic_map_figure(const Scheme& scheme);
 std::optional<Figure> vertex_surface_figure(const Scheme& scheme, const Stop& stop);
+/// Shaded pictures of nets that surfaces.json in the folder describes.
 Blocks surface_figures(const Scheme& scheme, const std::filesystem::path& nets, const Stop& stop);
 
 }  // namespace limes::report_impl

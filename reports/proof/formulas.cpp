@@ -10,8 +10,6 @@
 namespace limes {
 namespace {
 
-RationalFunction as_function(const Rational& x) { return RationalFunction::constant(0, x); }
-
 /// Quotients of numbers are set small: they stand in sums.
 std::string with_small_fractions(std::string latex) {
   for (std::size_t at = 0; (at = latex.find("\\frac{", at)) != std::string::npos; at += 7) latex.insert(at + 1, "t");
@@ -103,7 +101,6 @@ std::string inline_latex(const Rational& x) {
   const std::string decimal = to_decimal(x, 17, Rounding::nearest);
   return read_rational(decimal) == x ? decimal : exact;
 }
-std::string display_latex(const Rational& x) { return to_latex(as_function(x), {}); }
 
 std::string parameter_latex(const std::string& name) { return to_latex(RationalFunction::variable(1, 0), {name}); }
 

@@ -6,12 +6,11 @@
 
 namespace limes {
 
-/// LaTeX of what proofs speak about. `_inline` forms use a slash for fractions.
+/// LaTeX of what proofs speak about. `inline_latex` uses a slash for fractions.
 
 std::string inline_latex(const Rational& x);
 /// "8.3e-8" as "8.3\cdot10^{-8}".
 std::string scientific_latex(const std::string& decimal);
-std::string display_latex(const Rational& x);
 /// "w \in (0, 21/500],\ \mu = 1", empty without parameters. Ends are exact: decimals where those are shorter, "w \in [0.0141, 0.015]".
 std::string region_latex(const Scheme& scheme, const Box& region);
 std::string parameter_latex(const std::string& name);

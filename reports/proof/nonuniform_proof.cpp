@@ -220,8 +220,11 @@ Blocks knot_proof(const Scheme& scheme, const Certificate& certificate, ReportSt
                                          scheme.parameters.empty() ? "" : " and all parameters of the region",
                                          proof.both_sides ? "and likewise for $1/\\gamma$ in place of $\\gamma$" : "which covers $\\gamma>1$ by symmetry")));
   blocks.push_back(std::move(table));
-  blocks.push_back(paragraph("No denominator vanishes for positive ratios: the rule divides by sums of intervals only. The assertion follows by "
-                             "[Theorem N1](#theorem-N1)."));
+  blocks.push_back(paragraph(std::string("No denominator vanishes for positive ratios: ") +
+                             (scheme.insertion_rule->text().coefficients.empty()
+                                  ? "the rule divides by sums of intervals only."
+                                  : "each is a product of a polynomial in the parameters, which has a strict sign on the region, and one in the ratios whose coefficients have one sign.") +
+                             " The assertion follows by [Theorem N1](#theorem-N1)."));
   return blocks;
 }
 

@@ -48,7 +48,7 @@ std::optional<DecidedExponent> decide_exponent(const Scheme& scheme, const std::
 
 struct ProofReportOptions {
   std::string title = "Smoothness of subdivision schemes: certified proofs";
-  /// Summary and theorems in front; without them the sections of the schemes follow one another (fragments).
+  /// The summary in front; without it the sections of the schemes follow one another (fragments).
   bool front_matter = true;
   bool figures = true;
   /// Of Limes, under the title.

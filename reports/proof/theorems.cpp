@@ -80,13 +80,13 @@ Blocks theorem_statements(const std::set<Theorem>& theorems, bool exponents) {
     blocks.push_back(paragraph("Around an extraordinary vertex or face of valence $n$ a surface scheme has a subdivision matrix $M$ on finitely many rings, which rotations split into Fourier blocks $j=0,\\dots,n-1$. It satisfies the "
                                "*spectral condition* if $1$ is a simple eigenvalue, of block $0$; the blocks $1$ and $n-1$ have the same simple real eigenvalue $\\lambda\\in(0,1)$; and all other eigenvalues are less than $\\lambda$ in modulus."));
     blocks.push_back(theorem("E1", " [@Reif1995], [@PetersReif2008]",
-                             {paragraph("Let the curve scheme be $C^1$ by Theorem U1, the rules have weights of sum $1$ and the symmetry of the $n$-gon, and let there be a radius $\\varrho$ such that, counted with multiplicity, block $0$ has the "
+                             {paragraph("Let the curve scheme be $C^1$ by Theorem U1, the rules have weights of sum $1$ and the symmetry of the $n$-gon, the rings determine the limit and no control point of theirs but the vertex be without influence on it, and let there be a radius $\\varrho$ such that, counted with multiplicity, block $0$ has the "
                                         "eigenvalue $1$ and no other of modulus at least $\\varrho$, blocks $1$ and $n-1$ have one each, positive and less than $1$, and no other block has one. Then the spectral condition holds. If the matrices $M_k$ of the steps depend on "
                                         "$k$, it is that of their limit $M$, with $\\sum_k2^k\\lVert M_k-M\\rVert<\\infty$.")}));
   }
   if (theorems.contains(Theorem::e2)) {
     blocks.push_back(theorem("E2", " [@Reif1995], [@PetersReif2008]",
-                             {paragraph("Let the rules be the same at every step and the spectral condition hold, and let $\\Phi$, the limit of the eigenvector of block $1$, have a positive Jacobian and satisfy $\\mathrm{Re}(\\mathrm{e}^{-\\mathrm{i}\\pi/n}\\Phi)>0$ in the first sector, on a closed "
+                             {paragraph("Let the rules be the same at every step and the hypotheses of Theorem E1 hold, and let $\\Phi$, the limit of the eigenvector of block $1$, have a positive Jacobian and satisfy $\\mathrm{Re}(\\mathrm{e}^{-\\mathrm{i}\\pi/n}\\Phi)>0$ in the first sector, on a closed "
                                         "annulus of regular pieces whose images under the powers of $\\lambda$ fill the plane. Then this characteristic map is a homeomorphism, and for all control points outside of a proper algebraic subset the limit surface is $C^1$ at the "
                                         "extraordinary point.")}));
   }

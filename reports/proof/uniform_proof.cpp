@@ -111,16 +111,16 @@ Blocks word_text(const Mask& mask, int smoothness, const std::vector<ProofLeaf>&
                        sigma_power(mask.arity, smoothness + 1), mask.arity, size)) +
       rich(fmt::format("{}${}$ has the spectral radius ${}$", with_parameters ? fmt::format("At ${}$, ", point_latex(names, point)) : "",
                        word_latex(first), roots.front().modulus == Interval::point(1) ? "1" : digits_latex(roots.front().modulus) + ">1")) +
-      rich(leaves.size() > 1 ? fmt::format("; words of length up to ${}$ do the same on all ${}$ boxes that tile the region.",
-                                           [&] {
-                                             std::size_t longest = 0;
-                                             for (const ProofLeaf* leaf : words) longest = std::max(longest, std::get<WordWitness>(leaf->witness).word.size());
-                                             return longest;
-                                           }(),
-                                           leaves.size())
-                             : words.front()->region.empty() || is_point(words.front()->region)
+      rich(words.size() > 1 ? fmt::format("; words of length up to ${}$ do the same on all ${}$ boxes {}.",
+                                          [&] {
+                                            std::size_t longest = 0;
+                                            for (const ProofLeaf* leaf : words) longest = std::max(longest, std::get<WordWitness>(leaf->witness).word.size());
+                                            return longest;
+                                          }(),
+                                          words.size(), words.size() == leaves.size() ? "that cover the region" : "without a missing factor")
+                            : words.front()->region.empty() || is_point(words.front()->region)
                                    ? "."
-                                   : "; on the whole region a value of its characteristic polynomial at $1$ or $-1$ has the sign that proves it.")));
+                                   : "; on the whole region this is shown by the sign of its characteristic polynomial at $1$ or $-1$, or of $\\prod_{i<j}(1-z_iz_j)$ over its zeros.")));
   return blocks;
 }
 

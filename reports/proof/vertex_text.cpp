@@ -114,7 +114,7 @@ Blocks vertex_proof_text(const Scheme& scheme, const Certificate& certificate, c
     const bool harmonic = std::any_of(rule.given.begin(), rule.given.end(), [](const auto& own) {
       return std::any_of(own.second.begin(), own.second.end(), [](const RingTerm& term) { return term.harmonic == 1; });
     });
-    text += fmt::format(" For all $n\\ge{}$ the blocks are polynomials in $c=\\cos(2\\pi/n)$: on ${}$ interval{} that cover $c\\in[{},1]$ exactly one root of block $1$ is outside of a circle{}, and block $0$ has its other roots there{}.",
+    text += fmt::format(" For all $n\\ge{}$ the characteristic polynomials of the blocks $j$ have coefficients that are polynomials in $c=\\cos(2\\pi j/n)$ (of block $0$, in $1/n$, too): on ${}$ interval{} that cover $c\\in[{},1]$ exactly one root of block $1$ is outside of a circle{}, and block $0$ has its other roots there{}.",
                         proof.all->from, proof.all->cells.size(), proof.all->cells.size() == 1 ? "" : "s", inline_latex(proof.all->start),
                         (harmonic ? "; the blocks $2\\le j\\le n-2$ have their roots in $|\\lambda|<" : " and grows with $c$; for the other $c$ all roots are in $|\\lambda|<") + inline_latex(proof.all->bound) + "$",
                         proof.all->touch ? ", but for one, which meets $\\lambda$ in the limit only" : "");

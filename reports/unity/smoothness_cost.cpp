@@ -69,6 +69,13 @@ std::vector<Claim> provable_claims(const Scheme& scheme, const Stop& stop) {
   return claims;
 }
 
+std::string exponent_range(const ExponentBounds& bounds, const char* at_least, const char* comma) {
+  if (!bounds.lower) return "";
+  const std::string lower = to_decimal(*bounds.lower, 4, Rounding::down);
+  if (!bounds.upper) return at_least + lower;
+  return *bounds.lower == *bounds.upper ? lower : fmt::format("[{}{}{}]", lower, comma, to_decimal(*bounds.upper, 4, Rounding::up));
+}
+
 std::vector<SmoothnessCost> smoothness_costs(const WeightProblem& problem, int max_order, const Stop& stop) {
   std::vector<SmoothnessCost> costs;
   WeightProblem unconstrained = problem;

@@ -28,6 +28,9 @@ struct SmoothnessCost {
   std::string exponent_certificate = {};
 };
 
+/// "1.97", ">= 1.97", "[1.97, 1.99]"; "" without a lower end.
+std::string exponent_range(const ExponentBounds& bounds, const char* at_least = ">= ", const char* comma = ", ");
+
 /// One row for each order of sum rules from 0 to `max_order`, as far as the constraints are feasible; constraints of the problem about sum rules
 /// do not count. Orders that come for nothing (symmetric masks) have the mask of the order before.
 std::vector<SmoothnessCost> smoothness_costs(const WeightProblem& problem, int max_order, const Stop& stop);

@@ -22,13 +22,6 @@ std::string error_latex(double x) {
   return fmt::format("{:.5f}\\cdot10^{{{}}}", x * std::pow(10.0, -exponent), exponent);
 }
 
-std::string exponent_latex(const ExponentBounds& bounds) {
-  if (!bounds.lower) return "";
-  const std::string lower = to_decimal(*bounds.lower, 4, Rounding::down);
-  if (!bounds.upper) return "\\ge" + lower;
-  return *bounds.lower == *bounds.upper ? lower : fmt::format("[{},{}]", lower, to_decimal(*bounds.upper, 4, Rounding::up));
-}
-
 RichText claims_text(const std::vector<Claim>& claims) {
   RichText text;
   for (const Claim& claim : claims) text = text + rich(text.empty() ? "" : ", ") + prose(statement(claim));
@@ -46,7 +39,7 @@ DataTable cost_table(const std::vector<SmoothnessCost>& costs) {
     const SmoothnessCost& cost = costs[k];
     for (; k < costs.size() && costs[k].mask == cost.mask; ++k) orders.push_back(fmt::format("{}", costs[k].sum_rules));
     table.rows.push_back({mathematics(fmt::format("{}", fmt::join(orders, ","))), mathematics(error_latex(cost.error)),
-                          cost.exponent.lower ? mathematics(exponent_latex(cost.exponent)) : RichText{}, claims_text(cost.claims)});
+                          cost.exponent.lower ? mathematics(exponent_range(cost.exponent, "\\ge", ",")) : RichText{}, claims_text(cost.claims)});
   }
   return table;
 }

@@ -4,44 +4,34 @@ Run by CTest as: python3 characteristic_map_test.py LIMES LIMES_CHECK
 """
 
 import json
-import pathlib
-import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 
-LIMES, LIMES_CHECK = sys.argv[1:3]
+from limes_case import LimesCase
+
+LIMES_CHECK = sys.argv[2]
 
 
-class CharacteristicMaps(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
-    def run_program(self, program, *arguments):
-        return subprocess.run([program, *map(str, arguments)], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              timeout=120, check=False)
-
+class CharacteristicMaps(LimesCase):
     def test_smooth_at_every_valence(self):
         for scheme in ("unified", "catmull-clark", "doo-sabin"):
             angle = ("--param", "theta=0") if scheme == "unified" else ()
-            run = self.run_program(LIMES, "verify", scheme, "--claim", "C1", *angle, "--certificates", self.dir / "c", "--json")
+            run = self.run_program("verify", scheme, "--claim", "C1", *angle, "--certificates", self.dir / "c", "--json")
             self.assertEqual(run.returncode, 0, run.stderr)
             result, = json.loads(run.stdout)["results"]
             self.assertEqual((result["verdict"], result["theorem"]), ("certified", "E2"))
-            checked = self.run_program(LIMES_CHECK, result["certificate"])
+            checked = self.run_program(result["certificate"], program=LIMES_CHECK)
             self.assertEqual(checked.returncode, 0, checked.stdout)
             self.assertIn("C1 for almost every net at extraordinary", checked.stdout)
             self.assertIn("of all valences", checked.stdout)
 
     def test_rules_that_change_are_undecided(self):
-        run = self.run_program(LIMES, "verify", "unified", "--claim", "C1", "--param", "theta=1", "--valence", "5", "--certificates", self.dir)
+        run = self.run_program("verify", "unified", "--claim", "C1", "--param", "theta=1", "--valence", "5", "--certificates", self.dir)
         self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
         self.assertIn("theta != 0", run.stdout)
 
     def test_pictures(self):
-        run = self.run_program(LIMES, "show", "unified", "--characteristic-map", "5", "-o", "map.svg", "-o", "map.png", "--json")
+        run = self.run_program("show", "unified", "--characteristic-map", "5", "-o", "map.svg", "-o", "map.png", "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual([output["kind"] for output in json.loads(run.stdout)["outputs"]], ["svg", "png"])
         self.assertIn("0.537944", (self.dir / "map.svg").read_text())
@@ -53,7 +43,7 @@ class CharacteristicMaps(unittest.TestCase):
                                   (("show", "unified", "--characteristic-map", "5", "-o", "map.obj"), "ending"),
                                   (("show", "unified", "--characteristic-map", "2", "-o", "map.svg"), "characteristic-map"),
                                   (("show", "unified", "-o", "map.svg"), "belongs to --characteristic-map")):
-            run = self.run_program(LIMES, *arguments)
+            run = self.run_program(*arguments)
             self.assertEqual(run.returncode, 2, run.stdout)
             self.assertIn(reason, run.stderr)
             self.assertFalse((self.dir / "map.svg").exists())

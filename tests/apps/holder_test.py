@@ -6,15 +6,14 @@ Certificates that valid runs produce go to CERTIFICATES, where script/test check
 
 import json
 import math
-import pathlib
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from fractions import Fraction
+
+from limes_case import LimesCase
 
 LIMES, LIMES_CHECK, CERTIFICATES = sys.argv[1:4]
 
@@ -31,15 +30,7 @@ mask = ["9/10", "9/5", "9/10"]
 """
 
 
-class Holder(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
-    def run_program(self, *arguments, program=LIMES):
-        return subprocess.run([program, *map(str, arguments)], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              timeout=200, check=False)
-
+class Holder(LimesCase):
     def assert_consistent(self, result):
         """lower <= upper, and the Sobolev exponent is no farther away than it may be."""
         lower, upper = (None if result[end] is None else Fraction(result[end]) for end in ("lower", "upper"))

@@ -6,16 +6,15 @@ Certificates that valid runs produce go to CERTIFICATES, where script/test check
 
 import json
 import math
-import pathlib
 import random
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from fractions import Fraction
+
+from limes_case import LimesCase
 
 LIMES, LIMES_CHECK, CERTIFICATES = sys.argv[1:4]
 
@@ -28,18 +27,10 @@ def wide_family(size=14):
     return [[[source.randint(-3, 3) for _ in range(size)] for _ in range(size)] for _ in range(3)]
 
 
-class Jsr(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
+class Jsr(LimesCase):
     def write(self, name, content):
         (self.dir / name).write_text(content if isinstance(content, str) else json.dumps(content))
         return name
-
-    def run_program(self, *arguments, program=LIMES):
-        return subprocess.run([program, *map(str, arguments)], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              timeout=200, check=False)
 
     def report(self, content, *arguments, status=0, name="m.json"):
         run = self.run_program("jsr", self.write(name, content), "--json", "--certificates", CERTIFICATES, *arguments)

@@ -5,15 +5,14 @@ Certificates that valid runs produce go to CERTIFICATES, where script/test check
 """
 
 import json
-import pathlib
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 from fractions import Fraction
+
+from limes_case import LimesCase
 
 LIMES, LIMES_CHECK, CERTIFICATES = sys.argv[1:4]
 
@@ -27,23 +26,9 @@ mask = ["v", "0", "-w", "0", "1/2+w-v", "1", "1/2+w-v", "0", "-w", "0", "v"]
 """
 
 
-class Map(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
-    def run_program(self, *arguments, program=LIMES):
-        return subprocess.run([program, *map(str, arguments)], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True, timeout=200, check=False)
-
+class Map(LimesCase):
     def map(self, *arguments):
         return self.run_program("map", *arguments)
-
-    def assert_bad_input(self, run, *parts):
-        self.assertEqual(run.returncode, 2, run.stderr)
-        self.assertEqual(run.stderr.count("\n"), 1, "one clear line: " + run.stderr)
-        for part in parts:
-            self.assertIn(part, run.stderr)
 
     def test_only_smoothness_of_the_scheme_itself(self):
         for claim in ("projective C0", "not projective C1", "only zero limits", "not C1"):

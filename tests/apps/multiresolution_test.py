@@ -7,15 +7,15 @@ import json
 import math
 import pathlib
 import random
-import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from limes_case import LimesCase
 import zlib
 
-LIMES, LIMES_CHECK, EXAMPLES = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+LIMES_CHECK, EXAMPLES = sys.argv[2], pathlib.Path(sys.argv[3])
 
 
 def png(width, height, channels, sample):
@@ -27,15 +27,7 @@ def png(width, height, channels, sample):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
-class Multiresolution(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
-    def limes(self, *arguments):
-        return subprocess.run([LIMES, *map(str, arguments)], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True,
-                              text=True, timeout=120, check=False)
-
+class Multiresolution(LimesCase):
     def result(self, *arguments):
         run = self.limes(*arguments, "--json")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
@@ -58,13 +50,6 @@ class Multiresolution(unittest.TestCase):
     def curve(self, n=64, name="curve.csv"):
         return self.write(name, "".join(
             f"{math.cos(2 * math.pi * i / n) + 0.05 * math.sin(16 * math.pi * i / n)!r},{math.sin(2 * math.pi * i / n)!r}\n" for i in range(n)))
-
-    def assert_bad_input(self, run, *parts):
-        self.assertEqual(run.returncode, 2, run.stderr)
-        self.assertEqual(run.stdout, "")
-        self.assertEqual(run.stderr.count("\n"), 1, "one clear line: " + run.stderr)
-        for part in parts:
-            self.assertIn(part, run.stderr)
 
     # ---- filters
 

@@ -7,11 +7,11 @@ import json
 import math
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from limes_case import LimesCase
 
 LIMES, LIMES_CHECK, EXAMPLES, CERTIFICATES = sys.argv[1:5]
 EXAMPLES = pathlib.Path(EXAMPLES)
@@ -27,11 +27,7 @@ def points(path):
     return [tuple(map(float, line.split(","))) for line in lines if line and not line.startswith("#")]
 
 
-class Nonstationary(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
+class Nonstationary(LimesCase):
     def refined(self, scheme, data, *arguments, levels=10):
         out = self.dir / "out.csv"
         done = run("refine", scheme, EXAMPLES / data, "--levels", levels, "-o", out, *arguments, cwd=EXAMPLES)

@@ -5,24 +5,18 @@ Run by CTest as: python3 refine_test.py LIMES EXAMPLES
 
 import json
 import pathlib
-import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 
-LIMES, EXAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
+from limes_case import LimesCase
+
+EXAMPLES = pathlib.Path(sys.argv[2])
 LINE = "0,0\n1,2\n2,4\n3,6\n4,8\n5,10\n6,12\n7,14\n"
 
 
-class Refine(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
+class Refine(LimesCase):
     def refine(self, *arguments):
-        return subprocess.run([LIMES, "refine", *map(str, arguments)], cwd=self.dir, stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, timeout=120, check=False)
+        return self.limes("refine", *arguments)
 
     def write(self, name, text):
         (self.dir / name).write_text(text)
@@ -35,13 +29,6 @@ class Refine(unittest.TestCase):
         run = self.refine(scheme, data, "-o", "out.csv", *arguments)
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         return self.points("out.csv")
-
-    def assert_bad_input(self, run, *parts):
-        self.assertEqual(run.returncode, 2, run.stderr)
-        self.assertEqual(run.stdout, "")
-        self.assertEqual(run.stderr.count("\n"), 1, "one clear line: " + run.stderr)
-        for part in parts:
-            self.assertIn(part, run.stderr)
 
     def test_uniform_scheme_keeps_the_points(self):
         self.write("line.csv", LINE)

@@ -1,12 +1,11 @@
 """limes search, limes dominance and the definitions in limes show. Run by CTest as: python3 search_test.py LIMES LIMES_CHECK"""
 
 import json
-import pathlib
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from limes_case import LimesCase
 
 LIMES, LIMES_CHECK = sys.argv[1:3]
 
@@ -24,27 +23,22 @@ new = "(1-a)*at(f(7,0),1/2) + a*outer"
 """
 
 
-class Search(unittest.TestCase):
+class Search(LimesCase):
     def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
+        super().setUp()
         (self.dir / "searched.toml").write_text(SEARCHED)
 
-    def run_limes(self, *arguments, program=LIMES):
-        return subprocess.run([program, *arguments], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              timeout=120, check=False)
-
     def search(self, *arguments):
-        return self.run_limes("search", "searched.toml", "--claim", "C3", "--starts", "2", "--json", *arguments)
+        return self.run_program("search", "searched.toml", "--claim", "C3", "--starts", "2", "--json", *arguments)
 
     def test_finds_proves_and_writes_a_scheme(self):
         done = self.search("-o", "found.toml", "--certificates", "certificates")
         self.assertEqual(done.returncode, 0, done.stderr)
         result = json.loads(done.stdout)
         self.assertEqual([trial["verdict"] for trial in result["starts"]], ["certified", "certified"])
-        checked = self.run_limes(result["best"]["certificate"], program=LIMES_CHECK)
+        checked = self.run_program(result["best"]["certificate"], program=LIMES_CHECK)
         self.assertEqual(checked.returncode, 0, checked.stdout)
-        self.assertEqual(self.run_limes("verify", "found.toml").returncode, 0)
+        self.assertEqual(self.run_program("verify", "found.toml").returncode, 0)
 
     def test_a_journal_is_continued_without_repeated_work(self):
         whole = json.loads(self.search("--journal", "j").stdout)
@@ -61,14 +55,14 @@ class Search(unittest.TestCase):
 
     def test_the_journal_of_another_search_is_refused(self):
         self.search("--journal", "j")
-        done = self.run_limes("search", "searched.toml", "--claim", "C2", "--journal", "j")
+        done = self.run_program("search", "searched.toml", "--claim", "C2", "--journal", "j")
         self.assertEqual(done.returncode, 2)
         self.assertIn("j:1: the journal of another search", done.stderr)
         (self.dir / "j").write_text("hello\n")
         self.assertEqual(self.search("--journal", "j").returncode, 2)
 
     def test_nothing_found_is_status_3(self):
-        done = self.run_limes("search", "searched.toml", "--claim", "C4", "--starts", "1")
+        done = self.run_program("search", "searched.toml", "--claim", "C4", "--starts", "1")
         self.assertEqual(done.returncode, 3)
         self.assertIn("screened", done.stdout)
 
@@ -77,7 +71,7 @@ class Search(unittest.TestCase):
                                   (("repeated-cr1", "--claim", "C2"), "no parameters"),
                                   (("searched.toml", "--claim", "not C2"), "looks for smooth schemes"),
                                   (("searched.toml", "--claim", "C6"), "does not reproduce polynomials of degree 6")]:
-            done = self.run_limes("search", *arguments)
+            done = self.run_program("search", *arguments)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(reason, done.stderr)
             self.assertEqual(done.stderr.count("\n"), 1)
@@ -87,7 +81,7 @@ class Search(unittest.TestCase):
         self.assertEqual(done.returncode, 3)
 
 
-class Dominance(unittest.TestCase):
+class Dominance(LimesCase):
     def test_text_and_json(self):
         done = subprocess.run([LIMES, "dominance", "repeated-a1-3-1"], capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -110,7 +104,7 @@ class Dominance(unittest.TestCase):
             self.assertEqual(done.returncode, 2, done.stderr)
 
 
-class Show(unittest.TestCase):
+class Show(LimesCase):
     def test_definitions(self):
         done = subprocess.run([LIMES, "show", "cr2"], capture_output=True, text=True, timeout=60, check=True)
         self.assertIn("cr1 = hermite(1, f(2,0), f(2,1))", done.stdout)

@@ -6,15 +6,11 @@ Run by CTest as: python3 spectrum_test.py LIMES
 import cmath
 import json
 import math
-import pathlib
-import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 from fractions import Fraction
 
-LIMES = sys.argv[1]
+from limes_case import LimesCase
 
 OWN_SCHEME = """name = "mine"
 kind = "surface"
@@ -25,25 +21,11 @@ curve = "b-spline-3"
 """
 
 
-class Spectrum(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
-    def limes(self, *arguments):
-        return subprocess.run([LIMES, *map(str, arguments)], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                              timeout=120, check=False)
-
+class Spectrum(LimesCase):
     def results(self, *arguments):
         run = self.limes("spectrum", *arguments, "--json")
         self.assertEqual(run.returncode, 0, run.stderr)
         return json.loads(run.stdout)["results"]
-
-    def assert_bad_input(self, run, *parts):
-        self.assertEqual(run.returncode, 2, run.stdout + run.stderr)
-        self.assertEqual(run.stderr.count("\n"), 1, "one clear line: " + run.stderr)
-        for part in parts:
-            self.assertIn(part, run.stderr)
 
     def own_scheme(self, text):
         (self.dir / "mine.toml").write_text(text)

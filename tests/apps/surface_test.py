@@ -3,27 +3,22 @@
 Run by CTest as: python3 surface_test.py LIMES
 """
 
-import pathlib
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
+
+from limes_case import LimesCase
 
 LIMES = sys.argv[1]
 
 SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
 
 
-class Surfaces(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
+class Surfaces(LimesCase):
     def refine(self, text, *arguments):
         (self.dir / "mesh.obj").write_text(text)
-        return subprocess.run([LIMES, "refine", "unified", "mesh.obj", "--param", "theta=pi/3", "--param", "type=trigonometric", "--levels", "2",
-                               "-o", "out.obj", *arguments], cwd=self.dir, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120, check=False)
+        return self.limes("refine", "unified", "mesh.obj", "--param", "theta=pi/3", "--param", "type=trigonometric", "--levels", "2",
+                          "-o", "out.obj", *arguments)
 
     def assert_bad_input(self, run, *parts):
         self.assertEqual(run.returncode, 2, run.stdout + run.stderr)

@@ -6,7 +6,7 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <tuple>
 
 namespace limes {
 namespace {
@@ -71,16 +71,26 @@ void HullOracle::append(const Column& column) {
   columns_.push_back(column);
 }
 
+/// Complex vectors have infinitely many multiples: append_violated() takes those that a program asks for.
 void HullOracle::append_directions(int index) {
-  constexpr int directions = 8;
-  if (!complex_) {
-    for (const double sign : {1.0, -1.0}) append({index, false, sign});
-    return;
+  if (complex_) return;
+  for (const double sign : {1.0, -1.0}) append({index, false, sign});
+}
+
+/// Programs with few columns are fast: drops those that are not in the last basis, which stays what it is.
+void HullOracle::forget_columns() {
+  glp_prob* lp = program_->lp;
+  std::vector<int> dropped{0};
+  std::vector<Column> kept;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const int number = 2 * dimension_ + int(k) + 1;
+    if (glp_get_col_stat(lp, number) == GLP_BS)
+      kept.push_back(columns_[k]);
+    else
+      dropped.push_back(number);
   }
-  for (int k = 0; k < directions; ++k) {
-    for (const bool conjugate : {false, true})
-      append({index, conjugate, std::polar(1.0, 2 * std::numbers::pi * k / directions)});
-  }
+  if (dropped.size() > 1) glp_del_cols(lp, int(dropped.size()) - 1, dropped.data());
+  columns_ = std::move(kept);
 }
 
 void HullOracle::rebuild() {
@@ -128,12 +138,13 @@ void HullOracle::add(const Eigen::VectorXd& v) {
   }
 }
 
-bool HullOracle::solve() {
+/// \param primal after new columns; otherwise after a new right side
+bool HullOracle::solve(bool primal) {
   glp_prob* lp = program_->lp;
   glp_smcp options;
   glp_init_smcp(&options);
   options.msg_lev = GLP_MSG_OFF;
-  options.meth = GLP_DUALP;
+  options.meth = primal ? GLP_PRIMAL : GLP_DUALP;
   options.tol_bnd = 1e-9;
   options.tol_dj = 1e-9;
   options.it_lim = 20000;
@@ -149,12 +160,15 @@ bool HullOracle::append_violated(double value, double enough) {
   Eigen::VectorXd y(dimension_);
   for (int i = 0; i < dimension_; ++i) y(i) = glp_get_row_dual(program_->lp, i + 1);
   const Eigen::VectorXd functional = whitening_.transpose() * y;
+  const Eigen::Index half = dimension_ / 2;
   std::vector<std::pair<double, Column>> violated;
   double greatest = 1;
   for (std::size_t j = 0; j < vectors_.size(); ++j) {
-    for (const bool conjugate : {false, true}) {
-      const double along = functional.dot(column_vector({int(j), conjugate, {1, 0}}));
-      const double across = functional.dot(column_vector({int(j), conjugate, {0, 1}}));
+    const Eigen::VectorXd& v = vectors_[j];
+    const double a = functional.head(half).dot(v.head(half)), b = functional.tail(half).dot(v.tail(half));
+    const double c = functional.head(half).dot(v.tail(half)), d = functional.tail(half).dot(v.head(half));
+    // <y, v> and <y, i v>; the same for conj(v).
+    for (const auto& [conjugate, along, across] : {std::tuple(false, a + b, d - c), std::tuple(true, a - b, d + c)}) {
       const double size = std::hypot(along, across);
       greatest = std::max(greatest, size);
       if (size > 1 + 1e-8) violated.push_back({size, {int(j), conjugate, std::complex<double>(along, across) / size}});
@@ -171,11 +185,11 @@ ApproxCombination HullOracle::combine(const Eigen::VectorXd& x, double enough) {
   const double scale = w.cwiseAbs().maxCoeff();
   if (scale == 0) return {};
   if (!std::isfinite(scale)) return {infinity, {}};
-  if (columns_.size() > 64 * (vectors_.size() + 8)) rebuild();
+  if (complex_ && columns_.size() > 16 * std::size_t(dimension_)) forget_columns();
   glp_prob* lp = program_->lp;
   for (int i = 0; i < dimension_; ++i) glp_set_row_bnds(lp, i + 1, GLP_FX, w(i) / scale, w(i) / scale);
   for (int round = 0;; ++round) {
-    if (!solve()) return {infinity, {}};
+    if (!solve(round > 0)) return {infinity, {}};
     if (!complex_ || round == 40) break;
     const double value = glp_get_obj_val(lp) * scale;
     if (value <= enough || !append_violated(value, enough)) break;

@@ -48,7 +48,8 @@ class HullOracle {
   void rebuild();
   void append_directions(int index);
   void append(const Column& column);
-  bool solve();
+  bool solve(bool primal);
+  void forget_columns();
   bool append_violated(double value, double enough);
   Eigen::VectorXd column_vector(const Column& column) const;
 

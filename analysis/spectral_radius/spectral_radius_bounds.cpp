@@ -62,7 +62,8 @@ class RadiusSearch {
     raise_lower(words[leading_]);
     if (result_.lower == 0) return bound_from_above(Rational(0));
     // Something to fall back on, before the long work.
-    for (std::size_t k = 0; k < blocks_.size(); ++k) improve(k, result_.lower * Rational(3, 2));
+    const Rational fallback = result_.lower * Rational(3, 2);
+    for (std::size_t k = 0; k < blocks_.size() && !(options_.known_upper && *options_.known_upper <= fallback); ++k) improve(k, fallback);
     std::optional<ExactPolytope> exact = find_exact_polytope(blocks_[leading_], exact_limits(), stop_);
     if (exact && exact->radius.upper >= result_.lower) return finish_exactly(std::move(*exact));
     if (options_.known_upper && is_narrow(*options_.known_upper)) return;
@@ -170,7 +171,9 @@ class RadiusSearch {
     }
     // From coarse to fine: what is known when the search is stopped, or stops at its limit of vectors, is worth something then.
     const Rational finest = tolerance(options_.digits) * Rational(9, 10);
-    for (Rational excess = std::max(Rational(1, 4), finest); improve(k, radius * (1 + excess)) && excess > finest;)
+    Rational coarsest(1, 4);
+    if (options_.known_upper && *options_.known_upper > radius) coarsest = std::min(coarsest, Rational((*options_.known_upper / radius - 1) / 2));
+    for (Rational excess = std::max(coarsest, finest); improve(k, radius * (1 + excess)) && excess > finest;)
       excess = std::max(Rational(excess / 6), finest);
   }
 

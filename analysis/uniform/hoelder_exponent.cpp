@@ -97,7 +97,9 @@ void bound_radius(const MatrixFamily& sections, const LaurentPolynomial& b, int 
       exponent.level = norm->level;
     }
     const bool narrow = exponent.radius.upper <= exponent.radius.lower * (1 + power(Rational(1, 10), digits));
-    if (exponent.radius.interrupted || (exponent.level && narrow) || now.max_vectors == limits.max_vectors) return;
+    // A narrow bound by a polytope is not the end: with more vectors the radius may be found exactly.
+    const bool settled = narrow && (exponent.level || limits.max_degree == 1);
+    if (exponent.radius.interrupted || settled || now.max_vectors == limits.max_vectors) return;
   }
 }
 

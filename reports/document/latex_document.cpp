@@ -165,7 +165,7 @@ class LatexWriter {
     });
     constexpr int longest = 24;
     if (entries <= longest) text_ += "\\tableofcontents\n\n";
-    else text_ += "\\begin{multicols}{2}[\\section*{\\contentsname}]\n\\small\\csname @starttoc\\endcsname{toc}\n\\end{multicols}\n\n";
+    else text_ += "\\begin{multicols}{2}[\\section*{\\contentsname}]\n\\footnotesize\\csname @starttoc\\endcsname{toc}\n\\end{multicols}\n\n";
   }
 
   std::string inline_text(const RichText& text) const {

@@ -81,9 +81,9 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \raggedbottom
 \makeatletter
 \renewcommand*{\l@section}{\@dottedtocline{1}{0em}{2em}}
-\renewcommand*{\l@part}[2]{\addpenalty{-\@highpenalty}\addvspace{7pt plus 3pt}%
+\renewcommand*{\l@part}[2]{\addpenalty{-\@highpenalty}\addvspace{5pt plus 3pt}%
   {\parindent=0pt\rightskip=\@pnumwidth\parfillskip=-\@pnumwidth\bfseries\leavevmode #1\hfil\nobreak\hbox to\@pnumwidth{\hss#2}\par\nobreak}}
-\renewcommand{\@tocrmarg}{2.2em plus 1fil}
+\renewcommand{\@tocrmarg}{2em plus 1fil}
 \renewcommand{\@part}{\refstepcounter{part}\limespart}
 \newcommand{\limespart}[2][]{\addcontentsline{toc}{part}{\thepart\hspace{.7em}#1}\markright{}%
   {\parindent=0pt\raggedright\interlinepenalty=10000\normalfont\LARGE\bfseries\thepart\hspace{.7em}#2\par}\nobreak\vskip 2ex\@afterheading}
@@ -165,7 +165,7 @@ class LatexWriter {
     });
     constexpr int longest = 24;
     if (entries <= longest) text_ += "\\tableofcontents\n\n";
-    else text_ += "\\begin{multicols}{2}[\\section*{\\contentsname}]\n\\footnotesize\\csname @starttoc\\endcsname{toc}\n\\end{multicols}\n\n";
+    else text_ += "\\begin{multicols}{2}[\\section*{\\contentsname}]\n\\footnotesize\\parskip=0pt\\csname @starttoc\\endcsname{toc}\n\\end{multicols}\n\n";
   }
 
   std::string inline_text(const RichText& text) const {
@@ -396,7 +396,7 @@ class LatexWriter {
       for (const std::string& key : keys) {
         const auto reference = references_.find(key);
         if (reference == references_.end()) continue;
-        text_ += fmt::format("[{}] {}\n", escaped(reference->second.short_name), inline_text(reference->second.full));
+        text_ += fmt::format("\\par\\noindent\\hangindent=1.5em [{}] {}\n", escaped(reference->second.short_name), inline_text(reference->second.full));
       }
       text_ += "\\par\n";
       return;

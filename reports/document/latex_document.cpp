@@ -113,7 +113,7 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 
 /// What a fragment needs from packages that the article may not have.
 constexpr std::string_view fragment_start = R"(% A proof by Limes, to be \input into an article after \begin{document}. It needs no package.
-\begingroup
+\begingroup\emergencystretch=3em
 \providecommand{\toprule}{\hline}\providecommand{\midrule}{\hline}\providecommand{\bottomrule}{\hline}
 \providecommand{\tfrac}[2]{{\textstyle\frac{#1}{#2}}}\providecommand{\lVert}{\|}\providecommand{\rVert}{\|}
 )";

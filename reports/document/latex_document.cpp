@@ -79,6 +79,7 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \setlength{\LTcapwidth}{\textwidth}
 \setlength{\jot}{5pt}
 \raggedbottom
+\widowpenalty=5000 \clubpenalty=5000 \displaywidowpenalty=10000
 \makeatletter
 \renewcommand*{\l@section}{\@dottedtocline{1}{0em}{2em}}
 \renewcommand*{\l@part}[2]{\addpenalty{-\@highpenalty}\addvspace{5pt plus 3pt}%
@@ -292,11 +293,13 @@ class LatexWriter {
       }
       return;
     }
+    // Wide tables are those with text that takes several lines.
+    const bool wide = table.columns.find('L') != std::string::npos;
     constexpr std::size_t small_table = 30;
     const bool grouped = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& cells) { return cells.size() < table.header.size(); });
     if (table.rows.size() <= small_table && !grouped) {
       const std::string environment = table.caption.empty() ? "limestable" : "limesexhibit";
-      text_ += fmt::format("\\begin{{{}}}{}\n", environment, table.caption.empty() ? "" : "{table}\\small");
+      text_ += fmt::format("\\begin{{{}}}{}{}\n", environment, table.caption.empty() ? "" : "{table}\\small", wide ? "\\footnotesize\\setlength{\\tabcolsep}{3.5pt}" : "");
       if (!table.caption.empty()) {
         text_ += fmt::format("\\caption{{{}}}", inline_text(table.caption));
         label(table.label);
@@ -307,8 +310,6 @@ class LatexWriter {
       text_ += fmt::format("\\bottomrule\n\\end{{tabular}}\n\\end{{{}}}\n", environment);
       return;
     }
-    // Wide tables are those with text that takes several lines.
-    const bool wide = table.columns.find('L') != std::string::npos;
     text_ += fmt::format("{{\\{}\\setlength{{\\tabcolsep}}{{{}}}\\begin{{longtable}}{{{}}}\n", wide ? "footnotesize" : "small",
                          wide ? "3.5pt" : "4.5pt", columns);
     if (!table.caption.empty()) {

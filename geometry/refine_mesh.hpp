@@ -51,10 +51,12 @@ struct MeshRefinement {
 /// - on boundary and sharp edges: the curve rule along the boundary or crease; at corners (valence 2), and where other than two
 ///   of these edges meet, the line is continued as at the end of an open polygon.
 /// - in a face: the four-point rule across the face on four edge points in a row, in the direction in which none of them lies at an
-///   extraordinary vertex off the face; the mean of both directions where no or both directions are so and the face has an extraordinary vertex.
+///   extraordinary vertex off the face; the mean of both directions where neither
+///   is so, or where both are and the face has an extraordinary vertex.
 /// With different weights for the two directions, direction 0 is that of the first edge of face 1, and the mesh must have
 /// directions: opposite edges of a face agree. [Kobbelt 1996; Bari, Mustafa, Ghaffar, Nisar & Baleanu 2021, with corrections]
-/// \throws InputError that names a face where directions contradict each other; LimitError; Interrupted
+/// \throws InputError that names a face where directions contradict each other, or an extraordinary vertex when the directions have different
+/// weights; LimitError; Interrupted
 QuadMesh refine_mesh(QuadMesh mesh, const LevelWeights& weights, const MeshRefinement& refinement, const Stop& stop = Stop());
 
 }  // namespace limes

@@ -26,7 +26,7 @@ struct TensorNet {
 
 /// The net after some levels of the tensor product of two four-point rules: direction 0 of the weights is that of the index m,
 /// direction 1 that of n. Old points stay. [Bari, Mustafa, Ghaffar, Nisar & Baleanu 2021, section 2.2]
-/// \throws InputError: fewer than two rows or columns (three where periodic, four for an exact boundary), a number of points other
+/// \throws InputError: fewer than two rows or columns (three where periodic; with fewer than four in a line the exact boundary is the linear one), a number of points other
 /// than rows columns, poles with an odd number of columns, not periodic around them, or end rows that are not one point. LimitError,
 /// Interrupted.
 TensorNet refine_net(TensorNet net, const LevelWeights& weights, const MeshRefinement& refinement, const Stop& stop = Stop());

@@ -78,9 +78,9 @@ std::vector<std::string> Catalogue::names() const {
   return names;
 }
 
-Scheme Catalogue::load(const std::string& name) const {
+std::filesystem::path Catalogue::file(const std::string& name) const {
   const std::vector<std::string> known = names();
-  if (std::find(known.begin(), known.end(), name) != known.end()) return read_scheme_file(directory_ / (name + ".toml"));
+  if (std::find(known.begin(), known.end(), name) != known.end()) return directory_ / (name + ".toml");
   std::string nearest;
   int best = 4;
   for (const std::string& candidate : known) {
@@ -93,9 +93,13 @@ Scheme Catalogue::load(const std::string& name) const {
                                nearest.empty() ? "; `limes list` names them, a file ends in .toml" : "; did you mean '" + nearest + "'?"));
 }
 
-Scheme load_scheme(const std::string& name_or_path) {
-  if (name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string::npos) return read_scheme_file(name_or_path);
-  return Catalogue::find().load(name_or_path);
+Scheme Catalogue::load(const std::string& name) const { return read_scheme_file(file(name)); }
+
+std::filesystem::path scheme_file(const std::string& name_or_path) {
+  if (name_or_path.ends_with(".toml") || name_or_path.find('/') != std::string::npos) return name_or_path;
+  return Catalogue::find().file(name_or_path);
 }
+
+Scheme load_scheme(const std::string& name_or_path) { return read_scheme_file(scheme_file(name_or_path)); }
 
 }  // namespace limes

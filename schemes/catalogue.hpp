@@ -22,6 +22,7 @@ class Catalogue {
   /// Names of all schemes, ordered with numbers by value (b-spline-8 before b-spline-10).
   std::vector<std::string> names() const;
   /// \throws InputError for an unknown name, with the nearest known one.
+  std::filesystem::path file(const std::string& name) const;
   Scheme load(const std::string& name) const;
 
  private:
@@ -29,6 +30,7 @@ class Catalogue {
 };
 
 /// The scheme file at a path, when the text ends in ".toml" or contains a '/'; otherwise the catalogue's scheme of that name.
+std::filesystem::path scheme_file(const std::string& name_or_path);
 Scheme load_scheme(const std::string& name_or_path);
 
 }  // namespace limes

@@ -28,7 +28,8 @@ AngleType type_from_settings(const Scheme& scheme, const std::vector<std::string
 }
 
 void require_one_mask(const Scheme& scheme, const std::string& verb) {
-  if (scheme.sequence) throw InputError(fmt::format("{} is nonstationary: '{}' needs a scheme with one mask", scheme.name, verb));
+  if (scheme.sequence || scheme.surface)
+    throw InputError(fmt::format("{} is a {} scheme: '{}' needs a scheme with one mask", scheme.name, to_string(scheme.kind), verb));
 }
 
 Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& settings) {
@@ -39,6 +40,7 @@ Box region_from_settings(const Scheme& scheme, const std::vector<std::string>& s
   std::vector<bool> given(region.size(), false);
   const bool polynomial = sequence && std::count(settings.begin(), settings.end(), "type=polynomial") > 0;
   if (polynomial) {
+    if (!widest.front().contains(Rational(0))) throw InputError("--param type=polynomial: theta = 0 is outside of the parameter's range");
     region.front() = Interval::point(0);
     given.front() = true;
   }

@@ -12,8 +12,8 @@ namespace limes {
 /// its first type. \throws InputError for a type that the scheme has not
 AngleType type_from_settings(const Scheme& scheme, const std::vector<std::string>& settings);
 
-/// Of a nonstationary scheme only the limit of its masks is a uniform scheme: what is about one mask would answer another question.
-/// \throws InputError when the scheme is nonstationary
+/// Of a nonstationary scheme only the limit of its masks is a uniform scheme, a surface scheme has no mask: what is about one mask would
+/// answer another question. \throws InputError when the scheme is nonstationary or of surfaces
 void require_one_mask(const Scheme& scheme, const std::string& verb);
 
 /// The scheme's parameter box with the "name=value" settings put in. \throws InputError: no such parameter, given twice, no

@@ -259,6 +259,9 @@ std::map<RingPoint, std::vector<RingTerm>> read_ring_rules(TableReader reader, b
   return given;
 }
 
+/// \param as_curve for a surface scheme, which must not lead to another one (or to itself)
+Scheme interpret(const toml::table& root, const std::filesystem::path& file, bool as_curve);
+
 /// The curve scheme is one of the catalogue, or a file beside the surface scheme's own.
 void read_surface(TableReader reader, const std::filesystem::path& file, Scheme& scheme) {
   const std::string curve = reader.text("curve");
@@ -267,7 +270,8 @@ void read_surface(TableReader reader, const std::filesystem::path& file, Scheme&
   reader.finish();
   const Scheme loaded = reader.located(place, "curve", [&] {
     const bool is_file = curve.ends_with(".toml");
-    Scheme found = is_file ? read_scheme_file(file.parent_path() / curve) : load_scheme(curve);
+    const std::filesystem::path curve_file = is_file ? file.parent_path() / curve : scheme_file(curve);
+    Scheme found = interpret(parse_toml(read_toml_text(curve_file), curve_file), curve_file, true);
     if (!found.sequence && found.kind != SchemeKind::uniform) throw InputError(fmt::format("{} is no uniform or nonstationary scheme", curve));
     return found;
   });
@@ -347,7 +351,7 @@ std::vector<std::string> read_keys(const std::string& list) {
   return keys;
 }
 
-Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
+Scheme interpret(const toml::table& root, const std::filesystem::path& file, bool as_curve) {
   TableReader reader(root, "the scheme file", file.string());
   Scheme scheme;
   scheme.file = file;
@@ -365,6 +369,7 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
   } else if (kind_name == "nonstationary") {
     scheme.kind = SchemeKind::nonstationary;
   } else if (kind_name == "surface") {
+    if (as_curve) reader.fail(kind, "the curve scheme of a surface scheme is no surface scheme");
     scheme.kind = SchemeKind::surface;
   } else if (kind_name != "uniform") {
     reader.fail(kind, fmt::format("unknown kind '{}' (known: uniform, nonuniform, nonstationary, surface)", kind_name));
@@ -404,7 +409,7 @@ Scheme interpret(const toml::table& root, const std::filesystem::path& file) {
 }  // namespace
 
 Scheme read_scheme(std::string_view text, const std::filesystem::path& file) {
-  return interpret(parse_toml(text, file), file);
+  return interpret(parse_toml(text, file), file, false);
 }
 
 Scheme read_scheme_file(const std::filesystem::path& file) { return read_scheme(read_toml_text(file), file); }

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "algebra/error.hpp"
+#include "algebra/text_file.hpp"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,11 +15,11 @@
 namespace limes {
 
 /// No file that Limes reads as TOML is larger.
-inline constexpr std::uintmax_t max_toml_size = 4 << 20;
+inline constexpr std::size_t max_toml_size = 4 << 20;
 
 /// \throws InputError with file, line and column
 inline toml::table parse_toml(std::string_view text, const std::filesystem::path& file) {
-  if (text.size() > max_toml_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
+  if (text.size() > max_toml_size) throw LimitError("the file has more than 4 MiB", {file.string(), 0, 0});
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
@@ -30,14 +30,7 @@ inline toml::table parse_toml(std::string_view text, const std::filesystem::path
 
 /// The text of a file that is to be parsed. \throws InputError
 inline std::string read_toml_text(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw InputError("cannot read the file: " + error.message(), {file.string(), 0, 0});
-  if (size > max_toml_size) throw LimitError("the file is larger than 4 MiB", {file.string(), 0, 0});
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw InputError("cannot read the file", {file.string(), 0, 0});
-  return text;
+  return read_text_file(file, max_toml_size);
 }
 
 /// A TOML table whose keys must all be asked for: what nobody asked for is unknown.

@@ -131,7 +131,7 @@ PolynomialMatrix operator*(const PolynomialMatrix& a, const PolynomialMatrix& b)
   return result;
 }
 
-std::vector<MultivariatePolynomial> characteristic_polynomial(const PolynomialMatrix& a) {
+std::vector<MultivariatePolynomial> characteristic_polynomial(const PolynomialMatrix& a, const Stop& stop) {
   if (a.rows() != a.columns()) {
     throw DomainError(
         fmt::format("the characteristic polynomial of a {} x {} matrix was asked for", a.rows(), a.columns()));
@@ -146,10 +146,18 @@ std::vector<MultivariatePolynomial> characteristic_polynomial(const PolynomialMa
     for (const auto& bound : bounds) sizes[k].push_back(bound[k] + 1);
   }
 
+  double all_values = 0;
+  for (const auto& size : sizes) {
+    double product = 1;
+    for (const int k : size) product *= k;
+    all_values += product;
+  }
+  if (all_values > 1e7) throw LimitError("a characteristic polynomial of more than 10^7 grid points");
   std::vector<std::vector<Rational>> values(std::size_t(n) + 1);
   for (std::size_t k = 0; k < values.size(); ++k) values[k].reserve(volume(sizes[k]));
   std::vector<int> position(std::size_t(variables), 0);
   do {
+    stop.check();
     std::vector<Rational> point;
     for (const int i : position) point.push_back(grid_point(i));
     const Polynomial chi = characteristic_polynomial(a.at(point));

@@ -2,6 +2,7 @@
 
 #include "algebra/matrix/rational_matrix.hpp"
 #include "algebra/polynomial/multivariate_polynomial.hpp"
+#include "algebra/stop.hpp"
 
 #include <vector>
 
@@ -35,7 +36,7 @@ PolynomialMatrix operator*(const PolynomialMatrix& a, const PolynomialMatrix& b)
 /// evaluated on a tensor grid of rational points, one integer characteristic polynomial each, and the coefficients are
 /// interpolated. The grid is large enough by a proven degree bound: deg_i of the coefficient of lambda^{n-k} is at most the
 /// greatest sum of k row (or column, whichever is less) degrees in x_i.
-/// \pre a is square
-std::vector<MultivariatePolynomial> characteristic_polynomial(const PolynomialMatrix& a);
+/// \pre a is square \throws LimitError for more than 10^7 values on the grids
+std::vector<MultivariatePolynomial> characteristic_polynomial(const PolynomialMatrix& a, const Stop& stop = {});
 
 }  // namespace limes

@@ -40,7 +40,7 @@ ScaledInterval power_interval(const Integer& base, const Integer& exponent, unsi
   return result;
 }
 
-/// Whether every number of x is less than, or none is more than, every number of y: sign, or nothing.
+/// -1, 0 or 1 when all numbers of x are below, equal to, above all numbers of y; else nothing.
 std::optional<int> compare(const ScaledInterval& x, const ScaledInterval& y) {
   const auto below = [](const Integer& m, const Integer& e, const Integer& n, const Integer& f, bool strict) {
     const Integer shift = e - f;
@@ -87,6 +87,10 @@ std::pair<Integer, bool> floor_logarithm(const Rational& x, int p, int digits) {
   return {a, sign(a) == 0};
 }
 
+void require_logarithm(const Rational& x, int p, int digits) {
+  if (x <= 0 || p < 2 || digits < 0 || digits > 100) throw DomainError("a logarithm with x <= 0, p < 2 or digits beyond 0 .. 100");
+}
+
 std::optional<Rational> short_logarithm(const Rational& x, int p) {
   for (int b = 1; b <= 12; ++b) {
     const Integer a = Integer(std::round(approx_logarithm(x, p) * b));
@@ -106,11 +110,13 @@ std::optional<int> compare_powers(const Rational& x, const Integer& b, int p, co
 }
 
 Rational logarithm_below(const Rational& x, int p, int digits) {
+  require_logarithm(x, p, digits);
   if (const std::optional<Rational> exact = short_logarithm(x, p)) return *exact;
   return Rational(floor_logarithm(x, p, digits).first, pow(Integer(10), unsigned(digits)));
 }
 
 Rational logarithm_above(const Rational& x, int p, int digits) {
+  require_logarithm(x, p, digits);
   if (const std::optional<Rational> exact = short_logarithm(x, p)) return *exact;
   const auto [a, equal] = floor_logarithm(x, p, digits);
   return Rational(equal ? a : Integer(a + 1), pow(Integer(10), unsigned(digits)));

@@ -82,6 +82,11 @@ std::string to_string(const Rational& x) {
   return mpz_cmp_ui(denominator, 1) == 0 ? text : text + "/" + to_text(denominator);
 }
 
+Rational exact_rational(double x) {
+  if (!std::isfinite(x)) throw DomainError("exact_rational: not a finite number");
+  return Rational(x);
+}
+
 double approx_double(const Rational& x) {
   const auto& n = mpq_numref(x.backend().data());
   const auto& d = mpq_denref(x.backend().data());

@@ -20,6 +20,9 @@ std::string to_string(const Integer& x);
 /// Nearest double (round to nearest, ties unspecified); a floating hint, never a bound.
 double approx_double(const Rational& x);
 
+/// The number that the double is. \throws DomainError for NaN and the infinities, with which Boost's constructor ends the program
+Rational exact_rational(double x);
+
 enum class Rounding { down, up, nearest };
 
 /// Decimal text of x with `digits` significant digits, rounded as asked (down = towards minus infinity). Exact values that fit

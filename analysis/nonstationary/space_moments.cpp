@@ -1,5 +1,7 @@
 #include "analysis/nonstationary/space_moments.hpp"
 
+#include "algebra/error.hpp"
+
 namespace limes {
 namespace {
 
@@ -12,6 +14,9 @@ RationalFunction at_chebyshev(const RationalFunction& f, int d) {
   return d == 1 ? f : RationalFunction(at_chebyshev(f.numerator(), d), at_chebyshev(f.denominator(), d));
 }
 
+/// The greatest index of a Chebyshev polynomial: those of a mask of 64 entries with tau of denominator 16, and frequency 4, have less.
+constexpr int max_wave = 8192;
+
 int small_integer(const Rational& x) { return numerator(x).convert_to<int>(); }
 
 }  // namespace
@@ -23,6 +28,7 @@ RationalFunction moment(const Mask& mask, const Rational& tau, int residue, int 
   for (int k = a.lowest(); k <= a.highest(); ++k) {
     if ((k - residue) % mask.arity != 0) continue;
     const Rational distance = tau - k;
+    if (abs(frequency * d * distance) > max_wave) throw LimitError("the mask is too far from its parametrisation for moments");
     const int v = small_integer(frequency * d * distance);
     MultivariatePolynomial wave = part == MomentPart::even ? chebyshev_t(std::abs(v)) : chebyshev_u(std::abs(v) - 1);
     if (part == MomentPart::odd && v < 0) wave = -wave;

@@ -4,7 +4,7 @@
 
 namespace limes {
 
-MultivariatePolynomial boundary_determinant(const LambdaPolynomial& r, const Rational& rho) {
+MultivariatePolynomial boundary_determinant(const LambdaPolynomial& r, const Rational& rho, const Stop& stop) {
   const int p = r.degree();
   const std::vector<Rational> weights = powers(rho, p);
   std::vector<MultivariatePolynomial> s;
@@ -17,7 +17,7 @@ MultivariatePolynomial boundary_determinant(const LambdaPolynomial& r, const Rat
       if (i + j >= p) entry -= s[std::size_t(i + j - p)];
     }
   }
-  return determinant(matrix);
+  return determinant(matrix, stop);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "algebra/polynomial/box.hpp"
+#include "algebra/stop.hpp"
 #include "analysis/nonuniform/lambda_polynomial.hpp"
 
 #include <memory>
@@ -68,7 +69,7 @@ std::unique_ptr<DominanceTest> make_circle_test(const LambdaPolynomial& r, const
 std::unique_ptr<DominanceTest> make_sign_separation_test(const LambdaPolynomial& r, const Rational& rho);
 
 /// D of the boundary test, in the variables of r; 1 for p = 1. \pre p >= 1
-MultivariatePolynomial boundary_determinant(const LambdaPolynomial& r, const Rational& rho);
+MultivariatePolynomial boundary_determinant(const LambdaPolynomial& r, const Rational& rho, const Stop& stop = {});
 /// F of the circle test in the variables of r, then c: F = sum_i s_i^2 + 2 sum_{k>=1} T_k(c) sum_i s_i s_{i+k} for s(z)
 /// = r(rho z).
 MultivariatePolynomial circle_polynomial(const LambdaPolynomial& r, const Rational& rho);

@@ -2,10 +2,9 @@
 
 #include "algebra/error.hpp"
 #include "algebra/matrix/rational_matrix.hpp"
+#include "analysis/eigen_impl.hpp"
 #include "analysis/uniform/difference_symbol.hpp"
 #include "analysis/uniform/finite_sections.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -27,13 +26,14 @@ struct AffineMatrix {
   }
 };
 
-/// 0, the unit vectors, and a point with which affinity is tested.
+/// 0 and the unit vectors.
 std::vector<Point> corners(int parameters) {
   std::vector<Point> result(std::size_t(parameters) + 1, Point(std::size_t(parameters), 0));
   for (int k = 0; k < parameters; ++k) result[std::size_t(k) + 1][std::size_t(k)] = 1;
   return result;
 }
 
+/// One more point, at which affinity is tested.
 Point test_point(int parameters) {
   Point point;
   for (int k = 0; k < parameters; ++k) point.push_back(Rational(2 * k + 3) / (k + 5));
@@ -175,7 +175,7 @@ std::vector<std::vector<int>> primitive_words(int length) {
 
 double spectral_radius(const Matrix& a) {
   if (!a.allFinite()) return 1e300;
-  return Eigen::EigenSolver<Matrix>(a, false).eigenvalues().cwiseAbs().maxCoeff();
+  return approx_spectral_radius(a);
 }
 
 }  // namespace

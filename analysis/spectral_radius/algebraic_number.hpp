@@ -19,7 +19,8 @@ struct AlgebraicNumber {
 AlgebraicNumber refined(AlgebraicNumber x, int bits);
 
 /// alpha = |lambda|^{1/root} for a real root lambda != 0 of `chi` near `value`, with sign(lambda) = sign(value): the irreducible factor
-/// of f(+-x^root), f that of chi, with a root near |value|^{1/root}. Nothing when chi has no or more than one such root within a relative distance 1e-6 of value.
+/// of f(+-x^root), f that of chi, with a root near |value|^{1/root}. Nothing when chi has no or more than one such root within a relative distance 1e-6 of value, or when its
+/// degree would exceed 64.
 /// \pre chi != 0, value != 0, root >= 1
 std::optional<AlgebraicNumber> algebraic_root(const Polynomial& chi, double value, int root);
 

@@ -8,8 +8,6 @@
 #include "analysis/spectral_radius/hull_oracle_impl.hpp"
 #include "analysis/spectral_radius/leading_words.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -26,7 +24,7 @@ constexpr int max_coefficient_bits = 16384;
 
 /// A real eigenvalue of greatest modulus, if there is one.
 std::optional<double> real_leading_eigenvalue(const Eigen::MatrixXd& a) {
-  const Eigen::VectorXcd values = a.eigenvalues();
+  const Eigen::VectorXcd values = approx_eigenvalues(a);
   Eigen::Index best = 0;
   const double radius = values.cwiseAbs().maxCoeff(&best);
   if (radius == 0 || std::abs(values(best).imag()) > 1e-7 * radius) return std::nullopt;
@@ -146,7 +144,7 @@ class ExactSearch {
       const int k = int(leading.word.size());
       if (!field_) {
         std::optional<AlgebraicNumber> alpha = algebraic_root(characteristic_polynomial(exact), *lambda, k);
-        if (!alpha) return false;
+        if (!alpha || alpha->polynomial.degree() > limits_.max_degree) return false;
         field_.emplace(std::move(*alpha));
         const double radius = approx_double(field_->alpha().lower);
         for (Eigen::MatrixXd& b : approx_family_) b /= radius;
@@ -179,10 +177,10 @@ class ExactSearch {
 
   /// Scales the vector to greatest entry about 1 and finds the functional; false when the eigenvalue has a Jordan block.
   bool add_start(std::vector<Start>& starts, Start start, const Eigen::MatrixXd& transposed, double lambda) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(transposed);
+    const ApproxEigenpairs pairs = approx_eigenpairs(transposed);
     Eigen::Index best = 0;
-    (solver.eigenvalues().array() - lambda).cwiseAbs().minCoeff(&best);
-    start.functional = solver.eigenvectors().col(best).real();
+    (pairs.values.array() - lambda).cwiseAbs().minCoeff(&best);
+    start.functional = pairs.vectors.col(best).real();
     Rational greatest = 0;
     for (const Polynomial& entry : start.vector) greatest = std::max(greatest, abs(field_->enclose(entry, enclosure_bits).value));
     if (greatest == 0) return false;

@@ -1,5 +1,7 @@
 #include "analysis/spectral_radius/hull_oracle_impl.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <glpk.h>
 
 #include <cmath>

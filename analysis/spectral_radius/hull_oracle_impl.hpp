@@ -1,7 +1,7 @@
 // A floating-point oracle for symmetric hulls, on GLPK. Included by sources only.
 #pragma once
 
-#include "analysis/spectral_radius/eigen_impl.hpp"
+#include "analysis/eigen_impl.hpp"
 
 #include <complex>
 #include <memory>

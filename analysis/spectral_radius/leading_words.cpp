@@ -1,8 +1,6 @@
 #include "analysis/spectral_radius/leading_words.hpp"
 
-#include "analysis/spectral_radius/eigen_impl.hpp"
-
-#include <Eigen/Eigenvalues>
+#include "analysis/eigen_impl.hpp"
 
 #include <cmath>
 
@@ -16,8 +14,15 @@ struct Prefix {
   double norm = 0;
 };
 
-double approx_spectral_radius(const Eigen::MatrixXd& a) {
-  return a.size() == 0 || !a.allFinite() ? 0 : a.eigenvalues().cwiseAbs().maxCoeff();
+/// rho(a) <= ||a^8||^{1/8}: a few products cost much less than eigenvalues.
+bool is_surely_less(const Eigen::MatrixXd& a, double bound) {
+  constexpr int squarings = 3;
+  Eigen::MatrixXd power = a / bound;
+  for (int k = 0; k < squarings; ++k) {
+    if (power.squaredNorm() < 1) return true;
+    power *= power;
+  }
+  return power.squaredNorm() < 1;
 }
 
 /// The shortest w with word = w w ... w, in its least rotation.
@@ -47,7 +52,7 @@ std::vector<LeadingWord> approx_leading_words(const MatrixFamily& family, const 
   std::vector<Eigen::MatrixXd> matrices;
   for (const RationalMatrix& b : family) matrices.push_back(approx_matrix(b));
 
-  std::map<Word, double> found;
+  std::map<Word, double> found;  // by primitive root: rotations and powers have the same averaged radius
   double best = 0;
   // Norms are compared at unit scale; with all norms tiny or huge the products would leave the range of double.
   double scale = 0;
@@ -65,11 +70,11 @@ std::vector<LeadingWord> approx_leading_words(const MatrixFamily& family, const 
         longer.word.push_back(int(e));
         longer.norm = longer.product.norm();
         if (std::pow(longer.norm, 1.0 / length) < best * (1 - tolerance)) continue;
-        const double radius = std::pow(approx_spectral_radius(longer.product), 1.0 / length);
-        if (radius > 0 && radius >= best * (1 - tolerance)) {
-          double& known = found[primitive_root(longer.word)];
-          known = std::max(known, radius);
-          best = std::max(best, radius);
+        // What is surely less than the best so far stays out of the map: the tests are not worth remembering.
+        if (best == 0 || !is_surely_less(longer.product, std::pow(best * (1 - tolerance), length))) {
+          const auto [entry, is_new] = found.try_emplace(primitive_root(longer.word), 0);
+          if (is_new && longer.product.allFinite()) entry->second = std::pow(approx_spectral_radius(longer.product), 1.0 / length);
+          best = std::max(best, entry->second);
         }
         next.push_back(std::move(longer));
       }
@@ -80,7 +85,7 @@ std::vector<LeadingWord> approx_leading_words(const MatrixFamily& family, const 
   }
   std::vector<LeadingWord> result;
   for (const auto& [word, radius] : found) {
-    if (radius >= best * (1 - tolerance)) result.push_back({word, radius * scale});
+    if (radius > 0 && radius >= best * (1 - tolerance)) result.push_back({word, radius * scale});
   }
   if (result.empty()) return {{{0}, 0}};
   // Rounding errors do not choose between equal radii: among those within the tolerance the shortest is first.

@@ -9,8 +9,6 @@
 #include "analysis/spectral_radius/hull_oracle_impl.hpp"
 #include "analysis/spectral_radius/leading_words.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 #include <limits>
 
@@ -21,14 +19,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// An eigenvector of greatest eigenvalue modulus: n entries when it is real, else 2n.
 Eigen::VectorXd leading_vector(const Eigen::MatrixXd& a) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(a);
+  const ApproxEigenpairs pairs = approx_eigenpairs(a);
   Eigen::Index best = 0;
-  const double radius = solver.eigenvalues().cwiseAbs().maxCoeff(&best);
-  Eigen::VectorXcd v = solver.eigenvectors().col(best);
+  const double radius = pairs.values.cwiseAbs().maxCoeff(&best);
+  Eigen::VectorXcd v = pairs.vectors.col(best);
   Eigen::Index pivot = 0;
   v.cwiseAbs().maxCoeff(&pivot);
   v /= v(pivot);
-  if (std::abs(solver.eigenvalues()(best).imag()) <= 1e-9 * radius) return v.real();
+  if (std::abs(pairs.values(best).imag()) <= 1e-9 * radius) return v.real();
   Eigen::VectorXd result(2 * v.size());
   result << v.real(), v.imag();
   return result;

@@ -50,6 +50,8 @@ struct PolytopeLimits {
   double eagerness = 0;
   /// With eagerness, how much room allows real vectors although the leading eigenvalue is complex.
   double real_room = 0.002;
+  /// Of the field of an exact polytope: arithmetic there takes long where the degree is high.
+  int max_degree = 64;
 };
 
 /// A polytope in which no B_e is longer than `bound`; nothing when none was found, in particular when bound < JSR. Above the joint

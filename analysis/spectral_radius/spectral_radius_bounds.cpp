@@ -2,11 +2,9 @@
 
 #include "algebra/error.hpp"
 #include "algebra/polynomial/schur_cohn.hpp"
-#include "analysis/spectral_radius/eigen_impl.hpp"
+#include "analysis/eigen_impl.hpp"
 #include "analysis/spectral_radius/exact_vectors_impl.hpp"
 #include "analysis/spectral_radius/leading_words.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -67,6 +65,7 @@ class RadiusSearch {
     for (std::size_t k = 0; k < blocks_.size(); ++k) improve(k, result_.lower * Rational(3, 2));
     std::optional<ExactPolytope> exact = find_exact_polytope(blocks_[leading_], exact_limits(), stop_);
     if (exact && exact->radius.upper >= result_.lower) return finish_exactly(std::move(*exact));
+    if (options_.known_upper && is_narrow(*options_.known_upper)) return;
     bound_from_above(result_.lower);
     if (result_.blocks.size() > 0 && !narrow()) {
       // The word may not be the leading one: look farther.
@@ -83,13 +82,16 @@ class RadiusSearch {
   }
 
   /// Exact polytopes close with few vectors or not at all.
-  PolytopeLimits exact_limits() const { return {std::min(options_.polytopes.max_vectors, std::size_t{400}), options_.polytopes.precision}; }
+  PolytopeLimits exact_limits() const {
+    PolytopeLimits limits = options_.polytopes;
+    limits.max_vectors = std::min(limits.max_vectors, std::size_t{400});
+    return limits;
+  }
+
+  bool is_narrow(const Rational& upper) const { return upper <= result_.lower * (1 + tolerance(options_.digits)); }
 
   bool narrow() const {
-    for (const BlockProof& proof : result_.blocks) {
-      if (upper_end(proof) > result_.lower * (1 + tolerance(options_.digits))) return false;
-    }
-    return true;
+    return std::all_of(result_.blocks.begin(), result_.blocks.end(), [&](const BlockProof& proof) { return is_narrow(upper_end(proof)); });
   }
 
   /// A rational close below rho(product)^{1/k} of the leading block, exactly that where it is rational.
@@ -125,7 +127,7 @@ class RadiusSearch {
   }
 
   static double leading_real_eigenvalue(const RationalMatrix& a) {
-    const Eigen::VectorXcd values = approx_matrix(a).eigenvalues();
+    const Eigen::VectorXcd values = approx_eigenvalues(approx_matrix(a));
     Eigen::Index best = 0;
     const double radius = values.cwiseAbs().maxCoeff(&best);
     return std::abs(values(best).imag()) > 1e-9 * radius ? 0 : values(best).real();

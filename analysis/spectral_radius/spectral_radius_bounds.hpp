@@ -10,7 +10,9 @@ namespace limes {
 struct SpectralRadiusOptions {
   /// upper <= lower (1 + 10^-digits) is aimed at.
   int digits = 6;
-  PolytopeLimits polytopes;
+  PolytopeLimits polytopes = {};
+  /// An upper bound that is proved otherwise: where it is narrow, and the radius is not found exactly, no polytope is searched.
+  std::optional<Rational> known_upper = {};
 };
 
 /// A polytope with its bound, or a proof that the block's radius is an algebraic number.

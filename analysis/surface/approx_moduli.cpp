@@ -1,6 +1,6 @@
 #include "analysis/surface/approx_moduli.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "analysis/eigen_impl.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ std::vector<double> ApproxBlock::moduli(double c) const {
   const double angle = std::acos(c);
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Zero(size_, size_);
   for (const Entry& e : entries_) matrix(e.row, e.column) += std::polar(std::abs(e.weight), angle * e.exponent) * (e.weight < 0 ? -1.0 : 1.0);
-  const Eigen::VectorXcd values = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(matrix, false).eigenvalues();
+  const Eigen::VectorXcd values = approx_eigenvalues(matrix);
   std::vector<double> result;
   for (Eigen::Index k = 0; k < values.size(); ++k) result.push_back(std::abs(values(k)));
   std::sort(result.rbegin(), result.rend());

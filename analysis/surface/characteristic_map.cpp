@@ -1,9 +1,10 @@
 #include "analysis/surface/characteristic_map.hpp"
 
 #include "algebra/error.hpp"
+#include "analysis/eigen_impl.hpp"
 #include "analysis/surface/map_number_impl.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include <map>
 
@@ -140,14 +141,14 @@ struct ApproxMapBuilder {
         value(i, j) = a.value, slope(i, j) = a.slope, error(i, j) = a.error;
       }
     }
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(value);
+    const ApproxEigenpairs pairs = approx_eigenpairs(value);
     Eigen::Index best = 0;
     for (Eigen::Index i = 1; i < n; ++i) {
-      if (std::abs(solver.eigenvalues()(i)) > std::abs(solver.eigenvalues()(best))) best = i;
+      if (std::abs(pairs.values(i)) > std::abs(pairs.values(best))) best = i;
     }
-    const double lambda = solver.eigenvalues()(best).real();
-    Eigen::VectorXd v = solver.eigenvectors().col(best).real();
-    if (!(lambda > 0) || std::abs(solver.eigenvalues()(best).imag()) > 1e-9 * lambda || std::abs(v(0)) < 1e-9)
+    const double lambda = pairs.values(best).real();
+    Eigen::VectorXd v = pairs.vectors.col(best).real();
+    if (!(lambda > 0) || std::abs(pairs.values(best).imag()) > 1e-9 * lambda || std::abs(v(0)) < 1e-9)
       throw DomainError("block 1 has no positive dominant eigenvalue");
     v /= v(0);
     Eigen::MatrixXd derivative = value - lambda * Eigen::MatrixXd::Identity(n, n);

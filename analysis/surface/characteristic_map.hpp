@@ -1,6 +1,7 @@
 #pragma once
 
 #include "algebra/number/rational.hpp"
+#include "algebra/stop.hpp"
 #include "schemes/surface/ring_rule.hpp"
 
 #include <complex>
@@ -68,6 +69,6 @@ struct MapPiece {
 /// The least level, up to 6, with clear signs for one valence. \returns none when there is none
 std::optional<int> approx_map_level(const RingRule& rule, int rings, int valence);
 /// Pieces that cover [start, 1], found by bisection. \returns an empty list when one of width 1/1024 has no clear signs
-std::vector<MapPiece> approx_map_pieces(const RingRule& rule, int rings, const Rational& start);
+std::vector<MapPiece> approx_map_pieces(const RingRule& rule, int rings, const Rational& start, const Stop& stop = {});
 
 }  // namespace limes

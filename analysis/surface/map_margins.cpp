@@ -147,7 +147,8 @@ std::optional<int> clear_level(const ApproxCharacteristicMap& map, int most) {
   return std::nullopt;
 }
 
-bool append_pieces(const RingRule& rule, int rings, const Rational& from, const Rational& to, std::vector<MapPiece>& pieces) {
+bool append_pieces(const RingRule& rule, int rings, const Rational& from, const Rational& to, std::vector<MapPiece>& pieces, const Stop& stop) {
+  stop.check();
   const double low = approx_double(from), high = approx_double(to);
   try {
     if (const auto level = clear_level({rule, rings, std::nullopt, (low + high) / 2, (high - low) / 2}, 4)) {
@@ -158,7 +159,7 @@ bool append_pieces(const RingRule& rule, int rings, const Rational& from, const 
   }
   if (high - low < 1. / 1024) return false;
   const Rational middle = (from + to) / 2;
-  return append_pieces(rule, rings, from, middle, pieces) && append_pieces(rule, rings, middle, to, pieces);
+  return append_pieces(rule, rings, from, middle, pieces, stop) && append_pieces(rule, rings, middle, to, pieces, stop);
 }
 
 }  // namespace
@@ -167,9 +168,9 @@ std::optional<int> approx_map_level(const RingRule& rule, int rings, int valence
   return clear_level({rule, rings, valence, std::cos(std::numbers::pi / valence)}, 6);
 }
 
-std::vector<MapPiece> approx_map_pieces(const RingRule& rule, int rings, const Rational& start) {
+std::vector<MapPiece> approx_map_pieces(const RingRule& rule, int rings, const Rational& start, const Stop& stop) {
   std::vector<MapPiece> pieces;
-  return append_pieces(rule, rings, start, 1, pieces) ? pieces : std::vector<MapPiece>{};
+  return append_pieces(rule, rings, start, 1, pieces, stop) ? pieces : std::vector<MapPiece>{};
 }
 
 }  // namespace limes

@@ -11,7 +11,7 @@
 namespace limes {
 namespace {
 
-/// Scales rationals to integers by their common denominator, which multiplies `scale`.
+/// The least common denominator of all entries.
 Integer common_denominator(const std::vector<std::vector<Rational>>& rows) {
   Integer result = 1;
   for (const auto& row : rows) {
@@ -20,6 +20,7 @@ Integer common_denominator(const std::vector<std::vector<Rational>>& rows) {
   return result;
 }
 
+/// The row times `scale`, a multiple of its denominators.
 std::vector<Integer> scaled(const std::vector<Rational>& row, const Integer& scale) {
   std::vector<Integer> result;
   for (const Rational& x : row) result.push_back(numerator(x) * (scale / denominator(x)));

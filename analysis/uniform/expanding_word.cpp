@@ -102,11 +102,11 @@ bool exact_expands(const FiniteSections& sections, const std::vector<int>& word,
 namespace {
 
 /// The coefficients of chi(lambda) = det(lambda D^k I - numerators of the word's product), n + 1 of them.
-std::vector<MultivariatePolynomial> scaled_characteristic_polynomial(const FiniteSections& sections, const std::vector<int>& word) {
+std::vector<MultivariatePolynomial> scaled_characteristic_polynomial(const FiniteSections& sections, const std::vector<int>& word, const Stop& stop) {
   const int variables = sections.denominator().variables();
   PolynomialMatrix matrix = PolynomialMatrix::identity(variables, sections.size());
   for (const int e : word) matrix = matrix * sections.numerators(e);
-  std::vector<MultivariatePolynomial> chi = characteristic_polynomial(matrix);
+  std::vector<MultivariatePolynomial> chi = characteristic_polynomial(matrix, stop);
   const MultivariatePolynomial d = power(sections.denominator(), static_cast<int>(word.size()));
   MultivariatePolynomial d_power = MultivariatePolynomial::constant(variables, 1);
   for (MultivariatePolynomial& c : chi) {
@@ -118,9 +118,9 @@ std::vector<MultivariatePolynomial> scaled_characteristic_polynomial(const Finit
 
 }  // namespace
 
-ExpansionSigns expansion_signs(const FiniteSections& sections, const std::vector<int>& word) {
+ExpansionSigns expansion_signs(const FiniteSections& sections, const std::vector<int>& word, const Stop& stop) {
   const int variables = sections.denominator().variables();
-  const std::vector<MultivariatePolynomial> chi = scaled_characteristic_polynomial(sections, word);
+  const std::vector<MultivariatePolynomial> chi = scaled_characteristic_polynomial(sections, word, stop);
   ExpansionSigns signs{MultivariatePolynomial(variables), MultivariatePolynomial(variables)};
   for (int k = 0; k <= sections.size(); ++k) {
     signs.at_one += chi[k];
@@ -134,8 +134,8 @@ ExpansionSigns expansion_signs(const FiniteSections& sections, const std::vector
   return signs;
 }
 
-MultivariatePolynomial expansion_determinant(const FiniteSections& sections, const std::vector<int>& word) {
-  return boundary_determinant({sections.denominator().variables(), scaled_characteristic_polynomial(sections, word)}, 1);
+MultivariatePolynomial expansion_determinant(const FiniteSections& sections, const std::vector<int>& word, const Stop& stop) {
+  return boundary_determinant({sections.denominator().variables(), scaled_characteristic_polynomial(sections, word, stop)}, 1, stop);
 }
 
 }  // namespace limes

@@ -29,10 +29,10 @@ struct ExpansionSigns {
   MultivariatePolynomial at_minus_one;
 };
 
-ExpansionSigns expansion_signs(const FiniteSections& sections, const std::vector<int>& word);
+ExpansionSigns expansion_signs(const FiniteSections& sections, const std::vector<int>& word, const Stop& stop = {});
 
 /// The determinant of the boundary test of chi: where it is <= 0 (and D != 0), the word's product has spectral radius >= 1, as it is
 /// D^{k n (n-1)} prod_{i<j} (1 - z_i z_j) for the eigenvalues z_i. It shows complex pairs of eigenvalues. Large: degree k n (n-1) in D.
-MultivariatePolynomial expansion_determinant(const FiniteSections& sections, const std::vector<int>& word);
+MultivariatePolynomial expansion_determinant(const FiniteSections& sections, const std::vector<int>& word, const Stop& stop = {});
 
 }  // namespace limes

@@ -8,6 +8,7 @@
 #include "analysis/uniform/finite_sections.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace limes {
 namespace {
@@ -42,44 +43,61 @@ ExponentBounds sobolev_exponent(const LaurentPolynomial& b, int p, int order, in
 Rational root_above(const Rational& norm, int level) {
   constexpr int bits = 40;
   const Rational unit = power(Rational(1, 2), bits);
-  Rational root = Rational(std::ceil(std::ldexp(std::pow(approx_double(norm), 1.0 / level), bits))) * unit;
+  const double approx = std::ldexp(std::pow(approx_double(norm), 1.0 / level), bits);
+  if (!std::isfinite(approx)) return norm + 1;
+  Rational root = exact_rational(std::ceil(approx)) * unit;
   while (power(root, level) <= norm) root += unit;
   return root;
 }
 
-/// JSR <= ||S_b^l||^{1/l}: the rows of products of l sections are parts of the rows of S_b^l. Takes the place of a greater bound.
-void improve_by_norms(const LaurentPolynomial& b, int p, HoelderExponent& exponent, const Stop& stop) {
+/// JSR <= ||S_b^l||^{1/l}: the rows of products of l sections are parts of the rows of S_b^l.
+struct NormBound {
+  Rational bound;
+  int level = 1;
+};
+
+/// The least of these bounds for short l, the level chosen in floating point.
+NormBound bound_by_norms(const LaurentPolynomial& b, int p, const Stop& stop) {
   constexpr int max_level = 10;
   constexpr double max_entries = 1e5;
-  for (int level = 1; level <= max_level && std::pow(p, level) <= max_entries; ++level) {
-    const Rational bound = root_above(exact_contractivity_norm(b, p, level, stop), level);
-    if (bound >= exponent.radius.upper) continue;
-    exponent.radius.upper = bound;
-    exponent.level = level;
+  const int levels = std::min(max_level, static_cast<int>(std::log(max_entries) / std::log(p)));
+  const std::vector<double> norms = approx_contractivity_norms(b, p, {}, levels, 0);
+  NormBound result;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < norms.size(); ++k) {
+    const double root = std::pow(norms[k], 1.0 / static_cast<double>(k + 1));
+    if (!(root < least)) continue;
+    least = root;
+    result.level = static_cast<int>(k) + 1;
   }
+  result.bound = root_above(exact_contractivity_norm(b, p, result.level, stop), result.level);
+  return result;
 }
 
-/// The joint spectral radius of the sections of b. After a short search for a polytope norms are tried, which are good in particular for masks that
-/// nearly satisfy one sum rule more: then all products have nearly the same radius, which is hard for polytopes.
+/// The joint spectral radius of the sections of b. Norms are good in particular for masks that nearly satisfy one sum rule more: then all products have
+/// nearly the same radius, which is hard for polytopes, of which few vectors are tried before many.
 void bound_radius(const MatrixFamily& sections, const LaurentPolynomial& b, int p, int digits, const PolytopeLimits& limits, HoelderExponent& exponent,
                   const Stop& stop) {
   constexpr std::size_t few_vectors = 60;
   PolytopeLimits few = limits;
   few.max_vectors = std::min(limits.max_vectors, few_vectors);
-  const auto narrow = [&] { return exponent.radius.upper <= exponent.radius.lower * (1 + power(Rational(1, 10), digits)); };
+  std::optional<NormBound> norm;
+  try {
+    norm = bound_by_norms(b, p, stop);
+  } catch (const Interrupted&) {  // the search notices it too
+  }
   for (const PolytopeLimits& now : {few, limits}) {
-    exponent.radius = bound_spectral_radius(sections, {digits, now}, stop);
+    SpectralRadiusOptions options{.digits = digits, .polytopes = now};
+    if (norm) options.known_upper = norm->bound;
+    exponent.radius = bound_spectral_radius(sections, options, stop);
     exponent.level.reset();
     if (exponent.radius.exact) return;
-    if (exponent.radius.interrupted) return;
-    try {
-      improve_by_norms(b, p, exponent, stop);
-    } catch (const Interrupted&) {  // what is known by then holds
-      exponent.radius.interrupted = true;
-      return;
+    if (norm && norm->bound < exponent.radius.upper) {
+      exponent.radius.upper = norm->bound;
+      exponent.level = norm->level;
     }
-    if (exponent.level && narrow()) return;
-    if (now.max_vectors == limits.max_vectors) return;
+    const bool narrow = exponent.radius.upper <= exponent.radius.lower * (1 + power(Rational(1, 10), digits));
+    if (exponent.radius.interrupted || (exponent.level && narrow) || now.max_vectors == limits.max_vectors) return;
   }
 }
 
@@ -112,6 +130,10 @@ HoelderExponent bound_hoelder_exponent(const Mask& mask, int digits, const Polyt
   const int p = mask.arity;
   bound_radius(difference_sections(mask, result.order), *difference_symbol(mask, result.order), p, digits + 1, limits, result, stop);
 
+  if (result.radius.lower <= 0) {
+    result.reason = "stopped before a bound of the joint spectral radius was found";
+    return result;
+  }
   const Rational start = result.order - 1;
   const Rational lower = start - logarithm_above(result.radius.upper, p, digits + 1);
   const Rational upper = start - logarithm_below(result.radius.lower, p, digits + 1);

@@ -1,8 +1,8 @@
 #include "analysis/unity/projective_roughness.hpp"
 
 #include "algebra/matrix/exact_solve.hpp"
+#include "analysis/eigen_impl.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -15,18 +15,11 @@ using Vector = Eigen::VectorXd;
 
 std::vector<Matrix> approx_sections(const std::vector<Rational>& mask) {
   std::vector<Matrix> sections;
-  for (const int e : {0, 1}) {
-    const RationalMatrix exact = mask_section(mask, e);
-    Matrix section(exact.rows(), exact.columns());
-    for (int i = 0; i < exact.rows(); ++i) {
-      for (int j = 0; j < exact.columns(); ++j) section(i, j) = approx_double(exact(i, j));
-    }
-    sections.push_back(section);
-  }
+  for (const int e : {0, 1}) sections.push_back(approx_matrix(mask_section(mask, e)));
   return sections;
 }
 
-Matrix approx_product(const std::vector<Matrix>& sections, const std::vector<int>& word) {
+Matrix approx_word_product(const std::vector<Matrix>& sections, const std::vector<int>& word) {
   Matrix product = Matrix::Identity(sections[0].rows(), sections[0].cols());
   for (const int e : word) product = sections[e] * product;
   return product;
@@ -63,8 +56,7 @@ struct Candidate {
 
 /// The word's real eigenvalues with 2^-k < |lambda / lambda_1| < 1, simple by a margin.
 void append_candidates(const std::vector<Matrix>& sections, const std::vector<int>& word, std::vector<Candidate>& candidates) {
-  const Eigen::EigenSolver<Matrix> solver(approx_product(sections, word));
-  const auto& values = solver.eigenvalues();
+  const auto [values, vectors] = approx_eigenpairs(approx_word_product(sections, word));
   std::vector<Eigen::Index> order(values.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Eigen::Index>(k);
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::abs(values(a)) > std::abs(values(b)); });
@@ -78,8 +70,8 @@ void append_candidates(const std::vector<Matrix>& sections, const std::vector<in
     bool simple = true;
     for (std::size_t j = 0; j < order.size(); ++j) simple = simple && (j == k || std::abs(values(order[j]) - value) > 1e-6 * first);
     if (!simple) continue;
-    candidates.push_back({ratio, word, first, value.real(), normalised(solver.eigenvectors().col(order[0]).real()),
-                          normalised(solver.eigenvectors().col(order[k]).real())});
+    candidates.push_back({ratio, word, first, value.real(), normalised(vectors.col(order[0]).real()),
+                          normalised(vectors.col(order[k]).real())});
   }
 }
 
@@ -121,10 +113,10 @@ Rational rounded(const Rational& x) {
 /// Newton's method for A v = lambda v with one component of v fixed to 1; nothing when it does not settle.
 std::optional<ApproxEigenpair> refined_eigenpair(const RationalMatrix& matrix, double value, const Vector& vector) {
   const int n = matrix.rows();
-  ApproxEigenpair pair{Rational(value), {}};
+  ApproxEigenpair pair{exact_rational(value), {}};
   int fixed = 0;
   for (int i = 0; i < n; ++i) {
-    pair.vector.emplace_back(vector(i));
+    pair.vector.push_back(exact_rational(vector(i)));
     if (vector(i) == 1) fixed = i;
   }
   for (int step = 0; step < 4; ++step) {
@@ -196,7 +188,7 @@ std::optional<std::vector<int>> find_growing_word(const std::vector<Rational>& m
     stop.check();
     for (unsigned bits = 0; bits < 1u << length; ++bits) {
       const std::vector<int> word = letters(bits, length);
-      if (!is_primitive_necklace(word) || (Matrix::Identity(n, n) - approx_product(sections, word)).determinant() > 1e-12) continue;
+      if (!is_primitive_necklace(word) || (Matrix::Identity(n, n) - approx_word_product(sections, word)).determinant() > 1e-12) continue;
       if (characteristic_polynomial(word_product(mask, word))(1) <= 0) return word;
     }
   }

@@ -2,22 +2,18 @@
 #include "apps/limes/options.hpp"
 #include "apps/limes/session.hpp"
 
+#include "algebra/error.hpp"
+#include "algebra/text_file.hpp"
 #include "proofs/checker/checker.hpp"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iostream>
 
 namespace limes::app {
 namespace {
 
-std::optional<std::string> read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) return std::nullopt;
-  return text;
-}
+constexpr std::size_t max_bytes = std::size_t{1} << 30;
 
 }  // namespace
 
@@ -31,13 +27,15 @@ int run_check(const CheckOptions& options) {
       status = status == all_as_expected ? undecided_or_interrupted : status;
       break;
     }
-    const std::optional<std::string> text = read_text(file);
-    if (!text) {
-      std::cerr << fmt::format("limes: {}: cannot be read\n", file.string());
+    std::string text;
+    try {
+      text = read_text_file(file, max_bytes);
+    } catch (const InputError& error) {
+      std::cerr << fmt::format("limes: {}\n", error.what());
       status = bad_input;
       continue;
     }
-    results.push_back({file.string(), checker::check(*text)});
+    results.push_back({file.string(), checker::check(text)});
     const checker::Result& result = results.back().result;
     if (!result.valid && status != bad_input) status = against_expectation;
     if (options.json || (options.quiet && result.valid)) continue;

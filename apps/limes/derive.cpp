@@ -76,8 +76,9 @@ void print_text(const DeriveReport& report) {
   std::cout << fmt::format("  error      E = {:.12g}{}\n", derived.error,
                            derived.exact ? " (the exact minimiser)" : fmt::format(" (the minimiser before rounding: {:.12g})", derived.least_error));
   std::cout << fmt::format("  system     condition {:.4g}, rank {} of {}\n", derived.condition, derived.rank, derived.unknowns);
-  std::cout << fmt::format("  sums       even - 1 = {}, odd - 1 = {}; sum rules of order {}\n", to_decimal(report.even_sum - 1, 8, Rounding::nearest),
-                           to_decimal(report.odd_sum - 1, 8, Rounding::nearest), report.sum_rule_order);
+  std::cout << fmt::format("  sums       even - 1 = {}, odd - 1 = {}; sum rules of order {}{}\n", to_decimal(report.even_sum - 1, 8, Rounding::nearest),
+                           to_decimal(report.odd_sum - 1, 8, Rounding::nearest), report.sum_rule_order,
+                           report.even_sum + report.odd_sum == 2 ? "" : ", but a(1) is not 2: there are no limits but zero");
   if (report.rounded) {
     std::cout << fmt::format("  rounded    to {}: E = {:.12g}\n             {}\n", report.rounding, report.rounded_error, joined(*report.rounded, 9));
   }

@@ -72,13 +72,12 @@ Json sequence_json(const MaskSequence& sequence) {
           {"first_levels", first_levels}, {"spaces", spaces}};
 }
 
-/// {"polynomial": [c_0, .., c_d], "lower", "upper"}: the only root in between; null without one.
+/// {"polynomial": [c_0, .., c_d], "value": in words}; null without one.
 Json algebraic_json(const std::optional<AlgebraicNumber>& x) {
   if (!x) return nullptr;
   Json coefficients = Json::array();
   for (const Rational& c : x->polynomial.coefficients()) coefficients.push_back(to_string(c));
-  const AlgebraicNumber shown{x->polynomial, x->lower, x->upper};
-  return {{"polynomial", coefficients}, {"value", describe(shown)}};
+  return {{"polynomial", coefficients}, {"value", describe(*x)}};
 }
 
 }  // namespace
@@ -102,14 +101,18 @@ std::string show_json(const Scheme& scheme) {
     const RingRule& rings = scheme.surface->rings;
     Json rules = Json::object();
     for (const auto& [point, terms] : rings.given) rules[to_string(point)] = to_string(terms, scheme.surface->sequence.level_parameter);
+    Json claims = Json::array();
+    for (const Claim& claim : scheme.claims) claims.push_back(claim_json(scheme, claim));
     return text(Json{{"name", scheme.name},
                      {"title", scheme.title},
                      {"kind", to_string(scheme.kind)},
                      {"source", scheme.sources},
+                     {"parameters", intervals_json(scheme, scheme.parameter_box())},
                      {"curve", scheme.surface->curve},
                      {"dual", rings.dual},
                      {"virtual_points", scheme.surface->virtual_points},
-                     {"rules", rules}});
+                     {"rules", rules},
+                     {"claims", claims}});
   }
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();

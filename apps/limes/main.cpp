@@ -172,7 +172,7 @@ int run(int argc, char** argv) {
   add_common(*jsr_verb, jsr);
 
   RefineOptions refine;
-  CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon: points in, points or a picture out");
+  CLI::App* refine_verb = app.add_subcommand("refine", "Refine a polygon, a net or a mesh: points in, points or a picture out");
   refine_verb->add_option("scheme", refine.scheme, "Catalogue name or scheme file")->required()->type_name("SCHEME");
   refine_verb->add_option("data", refine.data, "Points, one a line: numbers separated by commas; of a surface scheme a mesh (.obj) or a net of points")->required()->type_name("DATA");
   refine_verb->add_option("--levels", refine.levels, "How often to refine")->check(CLI::Range(0, 60))->type_name("N")->capture_default_str();

@@ -2,11 +2,12 @@
 
 #include "algebra/error.hpp"
 #include "algebra/number/read_rational.hpp"
+#include "algebra/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
+#include <algorithm>
 
 namespace limes::app {
 namespace {
@@ -17,20 +18,13 @@ constexpr std::size_t max_size = 64;
 
 using Rows = std::vector<std::vector<Rational>>;
 
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(max_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad() || (!stream.is_open())) throw InputError("cannot be read", {file.string(), 0, 0});
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > max_bytes) throw LimitError("is longer than 16 MiB", {file.string(), 0, 0});
-  return text;
-}
-
 std::vector<Rows> read_json(const std::string& text, const std::string& file) {
   nlohmann::json json;
   try {
-    json = nlohmann::json::parse(text);
+    json = nlohmann::json::parse(text, [&](int depth, auto, auto&) {
+      if (depth > 3) throw InputError("is nested deeper than matrices, rows, numbers", {file, 0, 0});
+      return true;
+    });
   } catch (const nlohmann::json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
@@ -100,7 +94,7 @@ std::vector<Rows> read_csv_blocks(std::string_view text, const std::string& file
 }  // namespace
 
 std::vector<RationalMatrix> read_matrix_file(const std::filesystem::path& file) {
-  const std::string text = read_text(file), name = file.string();
+  const std::string text = read_text_file(file, max_bytes), name = file.string();
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos) throw InputError("holds no matrix", {name, 0, 0});
   const bool json = text[first] == '[' || text[first] == '{';

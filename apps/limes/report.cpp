@@ -4,6 +4,7 @@
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/text_file.hpp"
 #include "proofs/prove.hpp"
 #include "reports/document/bibliography.hpp"
 #include "reports/document/latexmk.hpp"
@@ -15,9 +16,9 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <mutex>
 
@@ -50,26 +51,30 @@ std::vector<ReportedScheme> claims_of(const ReportOptions& options) {
   return schemes;
 }
 
-/// What weight functions and filters are about: schemes that name a weight function have both, others filters if asked for.
-void study(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
+/// What weight functions and filters are about: schemes that name a weight function have both, others filters if asked for. False when the work was
+/// stopped: then some go without.
+bool study(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
   constexpr int usual_extension = 8;
   Progress progress(!options.quiet);
   std::mutex mutex;
   std::size_t done = 0;
+  std::atomic<bool> complete = true;
   tbb::parallel_for(std::size_t{0}, schemes.size(), [&](std::size_t index) {
     ReportedScheme& reported = schemes[index];
     try {
-      // What smoothness costs takes up to a minute a mask: for schemes that are named only.
-      if (reported.scheme.weight && !options.claim && !options.schemes.empty()) reported.weight = study_weight(reported.scheme, stop);
+      if (reported.scheme.weight && !options.claim) reported.weight = study_weight(reported.scheme, stop);
       if (reported.weight || options.multiresolution) reported.filters = decide_filters(reported.scheme, options.multiresolution.value_or(usual_extension), stop);
-    } catch (const Interrupted&) {  // the report goes without them
+    } catch (const Interrupted&) {
+      complete = false;
     }
     const std::scoped_lock lock(mutex);
     progress.show(fmt::format("weight functions and filters: {} of {} schemes", ++done, schemes.size()));
   }, tbb::simple_partitioner());
+  return complete;
 }
 
-void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
+/// False when the work was stopped: then claims are undecided for that reason, and exponents missing.
+bool decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop) {
   std::vector<std::pair<ReportedScheme*, std::size_t>> work;
   for (ReportedScheme& reported : schemes) {
     for (std::size_t k = 0; k < reported.claims.size(); ++k) work.emplace_back(&reported, k);
@@ -87,15 +92,21 @@ void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, 
   Progress progress(!options.quiet);
   std::mutex mutex;
   std::size_t done = 0;
+  std::atomic<bool> complete = true;
   tbb::parallel_for(std::size_t{0}, work.size() + points.size(), [&](std::size_t index) {
     if (index >= work.size()) {
       const auto& [reported, point] = points[index - work.size()];
-      exponents[index - work.size()] = decide_exponent(reported->scheme, point, stop);
+      try {
+        exponents[index - work.size()] = decide_exponent(reported->scheme, point, stop);
+      } catch (const Interrupted&) {
+        complete = false;
+      }
       return;
     }
     auto& [reported, k] = work[index];
     DecidedClaim& decided = reported->claims[k];
     decided.verdict = prove(reported->scheme, decided.claim, {}, stop);
+    if (decided.verdict.interrupted) complete = false;
     if (decided.verdict.certificate) decided.certificate = certificate_name(reported->scheme, decided.claim, k, asked);
     const std::scoped_lock lock(mutex);
     progress.show(fmt::format("{} of {} claims", ++done, work.size()));
@@ -103,6 +114,7 @@ void decide(std::vector<ReportedScheme>& schemes, const ReportOptions& options, 
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (exponents[k]) points[k].first->exponents.push_back(std::move(*exponents[k]));
   }
+  return complete;
 }
 
 /// The day of SOURCE_DATE_EPOCH; nothing without it.
@@ -113,11 +125,6 @@ std::string source_date() {
   const long long seconds = std::strtoll(epoch, &end, 10);
   if (*end != 0 || seconds < 0 || seconds > 253402300799) throw InputError(fmt::format("SOURCE_DATE_EPOCH={} is no time", epoch));
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(seconds)));
-}
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// Collects what is written, for the list of outputs and the manifest.
@@ -175,20 +182,32 @@ std::vector<std::string> command_words(const ReportOptions& options) {
   return words;
 }
 
-void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
-  const Document document = proof_report(schemes, {.title = {}, .front_matter = false, .figures = false, .polygons = {}, .nets = {}}, stop);
-  output.write(options.output.filename().string(), "latex", to_latex(document, load_bibliography(), {.fragment = true, .date = {}}));
-  write_certificates(schemes, "", output);
+/// The report; what is known without pictures, which take the most time, once the work is stopped. \param complete out: false then
+Document compose(const std::vector<ReportedScheme>& schemes, ProofReportOptions contents, const Stop& stop, bool& complete) {
+  try {
+    if (complete) return proof_report(schemes, contents, stop);
+  } catch (const Interrupted&) {
+    complete = false;
+  }
+  contents.figures = false;
+  return proof_report(schemes, contents);
 }
 
-void write_report(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, Output& output) {
+void write_fragment(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, bool& complete, Output& output) {
+  write_certificates(schemes, "", output);
+  const Document document = compose(schemes, {.title = {}, .front_matter = false, .figures = false, .polygons = {}, .nets = {}}, stop, complete);
+  output.write(options.output.filename().string(), "latex", to_latex(document, load_bibliography(), {.fragment = true, .date = {}}));
+}
+
+/// \param complete in, out: false when the work is stopped; then LaTeX is not run
+void write_report(const std::vector<ReportedScheme>& schemes, const ReportOptions& options, const Stop& stop, bool& complete, Output& output) {
   ProofReportOptions contents;
-  write_certificates(schemes, "certificates/", output);  // first: an interruption does not lose them
-  for (const char* old : {"figures.tex", "figures.pdf", "report.pdf"}) output.remove(old);
+  write_certificates(schemes, "certificates/", output);  // first: whatever happens later, they are not lost
+  for (const char* old : {"figures.tex", "figures.pdf", "report.pdf", "report.log", "figures.log"}) output.remove(old);
   contents.version = LIMES_VERSION;
   contents.polygons = data_path("polygons");
   contents.nets = data_path("surfaces");
-  const Document document = proof_report(schemes, contents, stop);
+  const Document document = compose(schemes, contents, stop, complete);
   const bool latex = options.format == "latex";
   for (const Figure* figure : figures(document)) {
     for (std::size_t k = 0; k < figure->panels.size(); ++k) {
@@ -203,13 +222,33 @@ void write_report(const std::vector<ReportedScheme>& schemes, const ReportOption
   if (latex) output.write("report.tex", "latex", to_latex(document, references, {.fragment = false, .date = source_date()}));
   else output.write("report.md", "markdown", to_markdown(document, references));
   Manifest manifest{.limes_version = LIMES_VERSION, .command = command_words(options), .schemes = {}, .outputs = output.files()};
-  for (const ReportedScheme& reported : schemes) manifest.schemes.emplace_back(reported.scheme.file.filename().string(), read_file(reported.scheme.file));
+  for (const ReportedScheme& reported : schemes) manifest.schemes.emplace_back(reported.scheme.file.filename().string(), read_text_file(reported.scheme.file, std::size_t{64} << 20));
   output.write("manifest.json", "manifest", manifest_json(manifest));
-  if (latex && !options.no_pdf) {
+  if (!latex || options.no_pdf || !complete) return;
+  try {
     run_latexmk(options.output / "report.tex", options.engine, stop);
     if (!figures(document).empty()) output.add("figures.pdf", "pdf-figures");
     output.add("report.pdf", "pdf");
+  } catch (const Interrupted&) {
+    complete = false;
   }
+}
+
+/// One line for an interrupted run: what is missing.
+std::string interruption_text(const std::vector<ReportedScheme>& schemes, const Stop& stop) {
+  std::size_t claims = 0, open = 0;
+  for (const ReportedScheme& reported : schemes) {
+    claims += reported.claims.size();
+    open += static_cast<std::size_t>(std::count_if(reported.claims.begin(), reported.claims.end(), [](const DecidedClaim& decided) { return decided.verdict.interrupted; }));
+  }
+  std::string reason = "interrupted";
+  try {
+    stop.check();
+  } catch (const Interrupted& interrupted) {
+    reason = interrupted.what();
+  }
+  if (open > 0) return fmt::format("{}: {} of {} claims undecided for this reason; the report has the others", reason, open, claims);
+  return fmt::format("{}: all {} claims were decided; the report lacks what would have followed", reason, claims);
 }
 
 int status_of(const std::vector<ReportedScheme>& schemes) {
@@ -232,10 +271,10 @@ int run_report(const ReportOptions& options) {
   if (options.fragment && options.output.extension() != ".tex") throw InputError("-o: a fragment is written to a .tex file");
   if (options.fragment && options.format != "latex") throw InputError("--fragment writes LaTeX, not --format " + options.format);
   Output output(options.fragment ? fs::absolute(options.output).parent_path() : options.output);
-  decide(schemes, options, session.stop());
-  study(schemes, options, session.stop());
-  if (options.fragment) write_fragment(schemes, options, session.stop(), output);
-  else write_report(schemes, options, session.stop(), output);
+  bool complete = decide(schemes, options, session.stop());
+  complete = study(schemes, options, session.stop()) && complete;
+  if (options.fragment) write_fragment(schemes, options, session.stop(), complete, output);
+  else write_report(schemes, options, session.stop(), complete, output);
   if (options.json) {
     std::cout << outputs_json(output.outputs());
   } else if (!options.quiet) {
@@ -243,7 +282,9 @@ int run_report(const ReportOptions& options) {
       if (file.kind == "latex" || file.kind == "pdf" || file.kind == "markdown") std::cout << file.file << "\n";
     }
   }
-  return status_of(schemes);
+  if (!complete) std::cerr << "limes: " << interruption_text(schemes, session.stop()) << "\n";
+  const int status = status_of(schemes);
+  return complete || status != all_as_expected ? status : undecided_or_interrupted;
 }
 
 }  // namespace limes::app

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Certified ones only: the least radius, then the shortest parameters.
+/// Certified ones only: the least radius, then the first start.
 const SearchRecord* best_of(const std::map<int, SearchRecord>& records) {
   const SearchRecord* best = nullptr;
   for (const auto& [start, record] : records) {

@@ -2,6 +2,7 @@
 
 #include "algebra/error.hpp"
 #include "algebra/number/read_rational.hpp"
+#include "algebra/text_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,8 @@ namespace limes::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t max_bytes = std::size_t{256} << 20;
 
 /// What must agree for two searches to be the same.
 Json description(const Scheme& scheme, const std::string& claim, const Box& box, unsigned seed) {
@@ -48,8 +51,7 @@ SearchJournal::SearchJournal(const std::filesystem::path& file, const Scheme& sc
     : file_(file) {
   if (file_.empty()) return;
   const Json header = description(scheme, claim, box, seed);
-  std::ifstream stream(file_, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::string text = std::filesystem::exists(file_) ? read_text_file(file_, max_bytes) : "";
   std::size_t whole = 0;
   for (int number = 1; whole < text.size(); ++number) {
     const std::size_t end = text.find('\n', whole);

@@ -1,5 +1,6 @@
 #include "apps/limes/json_output.hpp"
 #include "apps/limes/options.hpp"
+#include "apps/limes/outputs.hpp"
 #include "apps/limes/session.hpp"
 
 #include "algebra/error.hpp"
@@ -153,22 +154,26 @@ void print_latex(const Scheme& scheme) {
 
 void print_surface(const Scheme& scheme) {
   std::cout << fmt::format("{}: {}\n", scheme.name, scheme.title);
-  const auto line = [](const std::string& key, const std::string& value) { std::cout << fmt::format("  {:<14}{}\n", key, value); };
   line("kind", to_string(scheme.kind));
   if (!scheme.sources.empty()) line("source", fmt::format("{}", fmt::join(scheme.sources, ", ")));
   line("curve scheme", scheme.surface->curve);
   const RingRule& rings = scheme.surface->rings;
   line("around", rings.dual ? "extraordinary faces (dual scheme)" : "extraordinary vertices (primal scheme)");
-  if (scheme.surface->virtual_points) line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
-  if (scheme.surface->virtual_points) return;
-  for (const auto& [point, terms] : rings.given)
-    line("new " + to_string(point), to_string(terms, scheme.surface->sequence.level_parameter));
+  if (!scheme.parameters.empty()) line("parameters", region_text(scheme, scheme.parameter_box()));
+  if (scheme.surface->virtual_points) {
+    line("irregular", "lines of the mesh continue through extraordinary vertices by virtual points");
+  } else {
+    for (const auto& [point, terms] : rings.given)
+      line("new " + to_string(point), to_string(terms, scheme.surface->sequence.level_parameter));
+  }
+  print_claims(scheme);
 }
 
 /// At the limit mu = 1; --json names the files.
 int draw_characteristic_map(const Scheme& scheme, const ShowOptions& options) {
   if (!scheme.surface) throw InputError(fmt::format("--characteristic-map: {} is no surface scheme", scheme.name));
   if (options.outputs.empty()) throw InputError("--characteristic-map needs a file: -o map.svg");
+  const std::vector<OutputFile> outputs = outputs_by_ending(options.outputs, {"svg", "pgf", "png"});
   const int valence = *options.characteristic_map;
   const RingRule& rule = scheme.surface->rings;
   const int rings = rule.invariant_rings(rule.curve.symbol.highest());
@@ -176,15 +181,7 @@ int draw_characteristic_map(const Scheme& scheme, const ShowOptions& options) {
     const ApproxCharacteristicMap map(rule, rings, valence, std::cos(std::numbers::pi / valence));
     const std::string title = fmt::format("{}, valence {}: lambda = {:.6f}", scheme.name, valence, map.eigenvalue().value);
     const Plot plot = characteristic_map_plot(map, valence, {.title = title});
-    std::vector<OutputFile> outputs;
-    for (const std::filesystem::path& file : options.outputs) {
-      const std::string ending = file.extension().string();
-      if (ending != ".svg" && ending != ".pgf" && ending != ".png")
-        throw InputError(fmt::format("-o {}: the ending is none of .svg, .pgf, .png", file.string()));
-      outputs.push_back({file.string(), ending.substr(1)});
-    }
-    for (const OutputFile& output : outputs)
-      write_file(output.file, output.kind == "svg" ? to_svg(plot) : output.kind == "pgf" ? to_pgf(plot) : to_png(plot));
+    for (const OutputFile& output : outputs) write_file(output.file, picture(output.kind, plot));
     if (options.json) std::cout << outputs_json(outputs);
   } catch (const DomainError& error) {
     throw InputError(fmt::format("{} has no characteristic map at valence {}: {}", scheme.name, valence, error.what()));

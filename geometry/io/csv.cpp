@@ -1,19 +1,19 @@
 #include "geometry/io/csv.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/text_file.hpp"
 #include "algebra/number/read_rational.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
 namespace limes {
 namespace {
 
-constexpr std::uintmax_t max_file_size = std::uintmax_t{256} << 20;
+constexpr std::size_t max_file_size = std::size_t{256} << 20;
 constexpr std::size_t max_rows = std::size_t{1} << 22;
 constexpr std::size_t max_field = 1000;
 
@@ -93,14 +93,7 @@ NumberTable read_csv(std::string_view text, const std::filesystem::path& file, i
 }
 
 NumberTable read_csv_file(const std::filesystem::path& file, int max_columns) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw InputError("cannot read the file: " + error.message(), {file.string(), 0, 0});
-  if (size > max_file_size) throw LimitError("the file is larger than 256 MiB", {file.string(), 0, 0});
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw InputError("cannot read the file", {file.string(), 0, 0});
-  return read_csv(text, file, max_columns);
+  return read_csv(read_text_file(file, max_file_size), file, max_columns);
 }
 
 Polygon polygon_from(const NumberTable& table, bool closed) { return {table.columns, table.values, closed}; }

@@ -1,12 +1,12 @@
 #include "geometry/io/obj.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/text_file.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 
 namespace limes {
@@ -79,13 +79,7 @@ PolygonMesh read_obj(std::string_view text, const std::filesystem::path& file) {
 }
 
 PolygonMesh read_obj_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  std::ifstream stream(file, std::ios::binary);
-  if (error || !stream) throw InputError("cannot read the file", {file.string(), 0, 0});
-  if (size > (std::uintmax_t{1} << 30)) throw LimitError("the file has more than 1 GiB", {file.string(), 0, 0});
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return read_obj(text, file);
+  return read_obj(read_text_file(file, std::size_t{1} << 30), file);
 }
 
 std::string to_obj(const PolygonMesh& mesh) {

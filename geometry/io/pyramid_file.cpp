@@ -81,7 +81,10 @@ PyramidFile read_pyramid_file(const std::filesystem::path& file) {
   if (!stream || !is_pyramid_file(file)) throw InputError("no pyramid that limes decompose has written", where);
   std::string line;
   for (char c; line.size() < max_header && stream.get(c) && c != '\n';) line += c;
-  const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(line, [&](int depth, auto, auto&) {
+    if (depth > 8) throw InputError("a damaged pyramid: its header is nested too deep", where);
+    return true;
+  }, false);
   if (!json.is_object()) throw InputError("the pyramid's header is no JSON", where);
   integer(json, "version", 1, 1, where);
   PyramidFile result;

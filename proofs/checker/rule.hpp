@@ -10,7 +10,7 @@ namespace limes::checker {
 /// A product of powers of polynomials, each with leading coefficient 1 and not constant.
 using Divisors = std::map<Polynomial, int>;
 
-/// The rule of a 2n-point scheme, read: a tree of segments and points (docs/certificate.md, "Rules"), each linear in
+/// The rule of a 2n-point scheme, read: a tree of segments and points (docs/certificate.md, "Non-uniform schemes"), each linear in
 /// the points p_i, or the weights as functions of the ratios of neighbouring intervals.
 struct Rule {
   struct Node {

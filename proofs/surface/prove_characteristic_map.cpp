@@ -30,7 +30,7 @@ std::variant<CharacteristicMapProof, std::string> find_maps(const RingRule& rule
   // a little below cos(pi/n)
   const double cosine = std::cos(std::numbers::pi / n);
   proof.start = Rational(static_cast<long long>(std::floor(cosine * 4096 - 1e-3))) / Rational(4096);
-  for (const MapPiece& piece : approx_map_pieces(rule, spectrum.rings, proof.start)) proof.pieces.push_back({piece.to, piece.level});
+  for (const MapPiece& piece : approx_map_pieces(rule, spectrum.rings, proof.start, stop)) proof.pieces.push_back({piece.to, piece.level});
   if (proof.pieces.empty()) return fmt::format("{} all valences from {} on", clear, n);
   return proof;
 }

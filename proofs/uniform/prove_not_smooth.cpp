@@ -154,7 +154,7 @@ class RegionProver {
       if (++tested > limits_.max_exact_words) break;
       if (!may_be_non_positive(hint.word, box)) continue;
       auto place = signs_.find(hint.word);
-      if (place == signs_.end()) place = signs_.emplace(hint.word, expansion_signs(*sections_, hint.word)).first;
+      if (place == signs_.end()) place = signs_.emplace(hint.word, expansion_signs(*sections_, hint.word, stop_)).first;
       if (is_non_positive(place->second.at_one, hint.word, box) || is_non_positive(place->second.at_minus_one, hint.word, box)) {
         return hint.word;
       }
@@ -166,7 +166,7 @@ class RegionProver {
       if (++determinants > max_determinants) break;
       stop_.check();
       auto place = determinants_.find(hint.word);
-      if (place == determinants_.end()) place = determinants_.emplace(hint.word, expansion_determinant(*sections_, hint.word)).first;
+      if (place == determinants_.end()) place = determinants_.emplace(hint.word, expansion_determinant(*sections_, hint.word, stop_)).first;
       if (BernsteinForm(place->second, box).upper() <= 0) return hint.word;
     }
     return std::nullopt;

@@ -153,7 +153,7 @@ Blocks decided_claim(const Scheme& scheme, const DecidedClaim& decided, ReportSt
                                .title = {},
                                .body = {paragraph(rich("*Undecided:* ") + assertion(scheme, claim) + rich(" Neither a proof nor a refutation was found: ") +
                                                   prose(verdict.reason) + rich("."))}});
-    append(std::get<Statement>(blocks.back()).body, undecided_text(scheme, claim, stop));
+    if (!verdict.interrupted) append(std::get<Statement>(blocks.back()).body, undecided_text(scheme, claim, stop));
   }
   if (verdict.certificate) {
     Statement proof{.kind = Statement::Kind::proof, .title = {}, .body = {}};

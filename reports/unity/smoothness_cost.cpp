@@ -18,21 +18,24 @@ bool is_certified(const Scheme& scheme, const Claim& claim, const Stop& stop) {
   return verdict.outcome == Outcome::certified;
 }
 
-/// Within the checker's patience, which polytopes of many vectors exceed: fewer then, with wider bounds.
+/// With few vectors first: hundredths are enough for a table, more vectors are tried for them only.
 void enclose_exponent(const Scheme& scheme, SmoothnessCost& cost, const Stop& stop) {
   constexpr int digits = 2;
-  for (const std::size_t max_vectors : {250, 60}) {
+  const Rational enough(2, 100);
+  for (const std::size_t max_vectors : {60, 250}) {
     PolytopeLimits limits;
     limits.max_vectors = max_vectors;
+    limits.max_degree = 1;
     const HoelderExponent exponent = bound_hoelder_exponent(scheme.mask, digits, limits, stop);
     if (exponent.radius.interrupted) stop.check();
     if (!exponent.bounds.lower) return;
     try {
       cost.exponent_certificate = prove_hoelder_exponent(scheme, {}, exponent);
       cost.exponent = exponent.bounds;
-      return;
     } catch (const LimitError&) {
+      return;
     }
+    if (exponent.radius.upper <= exponent.radius.lower * (1 + enough)) return;
   }
 }
 

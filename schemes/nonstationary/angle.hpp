@@ -10,7 +10,7 @@ namespace limes {
 
 /// Reads an angle, or an interval of angles: an end is an expression a + b pi with rational a, b, such as "1/3", "pi/2",
 /// "2*pi/7"; without pi everything is as read_interval reads it. What contains pi is enclosed: a single angle becomes a
-/// closed interval of relative width below 10^-35, an end moves outward by less than that and becomes closed. So what holds for the result
+/// closed interval narrower than 10^-35 (|a| + |b| pi), an end moves outward by less than that and becomes closed. So what holds for the result
 /// holds for the angles that were asked for.
 /// \throws InputError with column
 Interval read_angles(std::string_view text);

@@ -18,6 +18,17 @@ bool contains(const VariableNames& names, const std::string& name) {
   return std::count(names.begin(), names.end(), name) > 0;
 }
 
+void append_names(const Expression& e, std::vector<std::string>& names) {
+  const auto all = [&](const std::vector<Expression>& parts) {
+    for (const Expression& part : parts) append_names(part, names);
+  };
+  if (const auto* name = std::get_if<Expression::Name>(&e.node)) names.push_back(name->name);
+  if (const auto* operation = std::get_if<Expression::Operation>(&e.node)) all(operation->operands);
+  if (const auto* power = std::get_if<Expression::Power>(&e.node)) all(power->base);
+  if (const auto* call = std::get_if<Expression::Call>(&e.node)) all(call->arguments);
+  if (const auto* list = std::get_if<Expression::List>(&e.node)) all(list->elements);
+}
+
 }  // namespace
 
 void RuleDefinitions::define(const std::string& name, const InsertionRuleText::Line& value) {
@@ -25,14 +36,14 @@ void RuleDefinitions::define(const std::string& name, const InsertionRuleText::L
     if (!limes::is_name(name)) throw InputError(fmt::format("'{}' is no name", name));
     if (contains(number_names_, name)) throw InputError(fmt::format("'{}' names a parameter or a ratio already", name));
     if (contains(reserved_, name)) throw InputError(fmt::format("'{}' is a function of the vocabulary", name));
-    if (!definitions_.emplace(name, Definition{value, read_expression(value.text), {}}).second) {
+    if (!definitions_.emplace(name, Definition{.text = value, .expression = read_expression(value.text), .number = {}, .waits_for = {}}).second) {
       throw InputError(fmt::format("'{}' is defined twice", name));
     }
   });
 }
 
 void RuleDefinitions::resolve_all() {
-  for (auto& [name, definition] : definitions_) resolve(name, definition);
+  for (const auto& [name, definition] : definitions_) resolve(name);
 }
 
 std::map<std::string, int> RuleDefinitions::nodes() const {
@@ -43,26 +54,45 @@ std::map<std::string, int> RuleDefinitions::nodes() const {
   return result;
 }
 
-void RuleDefinitions::resolve(const std::string& name, Definition& definition) {
-  if (definition.state == State::resolved) return;
-  blamed(name, definition.text, [&] {
-    if (definition.state == State::open) {
-      const auto first = std::find(open_.begin(), open_.end(), name);
-      throw InputError(
-          fmt::format("the definitions form a cycle: {} -> {}", fmt::join(first, open_.end(), " -> "), name));
+void RuleDefinitions::resolve(const std::string& first) {
+  std::vector<std::string> path{first};  // each waits for the next one: a loop, for a chain of definitions may be long
+  while (!path.empty()) {
+    const std::string name = path.back();
+    Definition& definition = definitions_.at(name);
+    if (definition.state == State::waiting) {
+      definition.state = State::open;
+      append_names(definition.expression, definition.waits_for);
     }
-    definition.state = State::open;
-    open_.push_back(name);
-    if (is_number(definition.expression)) {
-      std::size_t budget = max_number_nodes;
-      definition.number = inlined(definition.expression, budget, 1);
-      to_rational_function(*definition.number, number_names_, arithmetic_);
+    while (!definition.waits_for.empty() && is_resolved(definition.waits_for.back())) definition.waits_for.pop_back();
+    if (definition.state == State::resolved) {
+      path.pop_back();
+    } else if (definition.waits_for.empty()) {
+      blamed(name, definition.text, [&] { compile(definition); });
+      definition.state = State::resolved;
     } else {
-      definition.node = compile_(definition.expression);
+      const std::string next = definition.waits_for.back();
+      blamed(next, definitions_.at(next).text, [&] {
+        const auto begin = std::find(path.begin(), path.end(), next);
+        if (begin != path.end()) throw InputError(fmt::format("the definitions form a cycle: {} -> {}", fmt::join(begin, path.end(), " -> "), next));
+      });
+      path.push_back(next);
     }
-    open_.pop_back();
-    definition.state = State::resolved;
-  });
+  }
+}
+
+void RuleDefinitions::compile(Definition& definition) {
+  if (is_number(definition.expression)) {
+    std::size_t budget = max_number_nodes;
+    definition.number = inlined(definition.expression, budget, 1);
+    to_rational_function(*definition.number, number_names_, arithmetic_);
+  } else {
+    definition.node = compile_(definition.expression);
+  }
+}
+
+bool RuleDefinitions::is_resolved(const std::string& name) const {
+  const auto found = definitions_.find(name);
+  return found == definitions_.end() || found->second.state == State::resolved;
 }
 
 bool RuleDefinitions::is_number(const Expression& e) {
@@ -95,7 +125,7 @@ const RuleDefinitions::Definition* RuleDefinitions::find(const Expression& e, co
     fail(e, known.empty() ? fmt::format("unknown name '{}' (no names are known here)", name)
                           : fmt::format("unknown name '{}' (known: {})", name, fmt::join(known, ", ")));
   }
-  resolve(name, found->second);
+  if (found->second.state != State::resolved) resolve(name);
   return &found->second;
 }
 

@@ -62,10 +62,15 @@ class RuleDefinitions {
     /// A number, as an expression without defined names.
     std::optional<Expression> number;
     State state = State::waiting;
+    /// Names in the expression; those that are resolved are taken away.
+    std::vector<std::string> waits_for;
     int node = -1;
   };
 
-  void resolve(const std::string& name, Definition& definition);
+  /// Compiles a definition and what it needs. \throws InputError for a cycle
+  void resolve(const std::string& name);
+  void compile(Definition& definition);
+  bool is_resolved(const std::string& name) const;
   /// The definition of a name, resolved; null for a parameter or a ratio.
   const Definition* find(const Expression& e, const std::string& name);
   Expression inlined(const Expression& e, std::size_t& budget, int height);
@@ -75,7 +80,6 @@ class RuleDefinitions {
   Compile compile_;
   std::map<std::string, Definition> definitions_;
   BoundedArithmetic arithmetic_;
-  std::vector<std::string> open_;
   bool blamed_ = false;
 };
 

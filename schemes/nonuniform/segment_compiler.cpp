@@ -341,6 +341,7 @@ int SegmentCompiler::compile_operation(const Expression& e, const Expression::Op
       }
       const int one = pooled(constant(1)), sign = pooled(constant(operation.op == '+' ? 1 : -1)),
                 size = node(*a).size();
+      spend(std::size_t(2 * size), e);
       RuleNode made{
           .is_point = node(*a).is_point, .degree = node(*a).degree, .pieces = node(*a).pieces, .arguments = {*a, *b}};
       for (int j = 0; j < size; ++j) made.rows.push_back({{j, one}, {size + j, sign}});
@@ -365,6 +366,7 @@ int SegmentCompiler::scaled(int argument, const RationalFunction& factor, const 
                 .pieces = node(argument).pieces,
                 .arguments = {argument}};
   const int number = pooled(factor);
+  spend(std::size_t(node(argument).size()), e);
   for (int j = 0; j < node(argument).size(); ++j) made.rows.push_back({{j, number}});
   return add(std::move(made), e);
 }

@@ -54,7 +54,7 @@ SurfaceRule surface_rule(std::string curve, MaskSequence sequence, std::map<Ring
       }
     }
     rule.given = given;
-    // Three rings around the invariant ones, so that limit patches can be had.
+    // One ring more than the invariant ones has rules, too: limit patches need it.
     rule.invariant_rings(rule.invariant_rings() + 1);
     if (rings.given.empty()) rings = std::move(rule);
     else if (rings.dual != rule.dual) throw InputError("its masks are primal and dual");

@@ -1,13 +1,13 @@
 #include "schemes/unity/filter_file.hpp"
 
 #include "algebra/error.hpp"
+#include "algebra/text_file.hpp"
 #include "algebra/number/read_rational.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace limes {
@@ -58,14 +58,7 @@ std::string filters_to_json(const FilterBank& bank, const std::string& name) {
 }
 
 FilterBank read_filter_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) throw InputError("cannot be read", {file.string(), 0, 0});
-  std::string text;
-  text.resize(max_file_size + 1);
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > max_file_size) throw LimitError("a file of filters may have 16 MiB", {file.string(), 0, 0});
-  return read_filters(text, file);
+  return read_filters(read_text_file(file, max_file_size), file);
 }
 
 FilterBank read_filters(std::string_view text, const std::filesystem::path& file) {

@@ -1,60 +1,23 @@
-// Sampled and integrated least squares; the only source with Eigen over double and MPFR. The long side of the system is compressed by
+// Sampled and integrated least squares, over double or MPFR. The long side of the system is compressed by
 // blocked QR to a triangle with as many rows as unknowns, plus 1; what follows is exact arithmetic on that triangle.
 
 #include "algebra/error.hpp"
-#include "algebra/number/mpfr_conversion.hpp"
+#include "schemes/unity/mpfr_impl.hpp"
 #include "schemes/unity/refinement_equation.hpp"
 #include "schemes/unity/weight_evaluation_impl.hpp"
-
-#include <boost/multiprecision/eigen.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <cmath>
-#include <mutex>
 
 namespace limes {
 namespace {
 
-using Mpfr = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
+int decimal_digits(int bits) { return static_cast<int>(std::ceil(bits * 0.30103)) + 1; }
 
 template <class Real>
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
-/// The working precision of MPFR while it lives; Boost has one for all threads, so one scope lives at a time.
-class PrecisionScope {
- public:
-  explicit PrecisionScope(int bits) : lock_(mutex()), before_(Mpfr::default_precision()) {
-    Mpfr::default_precision(static_cast<unsigned>(std::ceil(bits * 0.30103)) + 1);
-  }
-  ~PrecisionScope() { Mpfr::default_precision(before_); }
-  PrecisionScope(const PrecisionScope&) = delete;
-  PrecisionScope& operator=(const PrecisionScope&) = delete;
-
- private:
-  static std::mutex& mutex() {
-    static std::mutex instance;
-    return instance;
-  }
-  std::scoped_lock<std::mutex> lock_;
-  unsigned before_;
-};
-
-template <class Real>
-Real from_rational(const Rational& x) {
-  if constexpr (std::is_same_v<Real, double>) {
-    return approx_double(x);
-  } else {
-    Mpfr result;
-    to_mpfr(result.backend().data(), x, MPFR_RNDN);
-    return result;
-  }
-}
-
-Rational exact_rational(const Mpfr& x) { return from_mpfr(x.backend().data()); }
-Rational exact_rational(double x) { return Rational(x); }
 
 /// A point at which the equation is asked for, and the square root of its weight.
 template <class Real>
@@ -79,9 +42,10 @@ class Compression {
     ++filled_;
   }
 
-  /// R^T R, exactly.
+  /// R^T R, exactly. \throws InputError when a number is not finite
   RationalMatrix gram() {
     compress();
+    if (!rows_.topRows(filled_).allFinite()) throw InputError("the numbers of the system exceed the range of double precision");
     RationalMatrix r(filled_, columns_), transposed(columns_, filled_);
     for (int i = 0; i < filled_; ++i) {
       for (int j = i; j < columns_; ++j) transposed(j, i) = r(i, j) = exact_rational(rows_(i, j));
@@ -211,20 +175,20 @@ RationalMatrix exact_gram(const RefinementEquation& equation, const PiecewisePol
 
 LeastSquares sampled_least_squares(const RefinementEquation& equation, int samples, int precision, const Stop& stop) {
   if (precision == 53) return {sampled_gram<double>(equation, samples, stop), precision, samples};
-  const PrecisionScope scope(precision);
+  const PrecisionScope scope(decimal_digits(precision));
   return {sampled_gram<Mpfr>(equation, samples, stop), precision, samples};
 }
 
 LeastSquares integral_least_squares(const RefinementEquation& equation, int samples, int precision, const Stop& stop) {
   if (const auto* exact = std::get_if<PiecewisePolynomial>(&equation.weight.shape)) return {exact_gram(equation, *exact, stop), 0, 0};
   if (precision == 53) return {integrated_gram<double>(equation, samples, stop), precision, samples};
-  const PrecisionScope scope(precision);
+  const PrecisionScope scope(decimal_digits(precision));
   return {integrated_gram<Mpfr>(equation, samples, stop), precision, samples};
 }
 
 std::vector<double> approx_singular_values(const LeastSquares& system, const RationalMatrix& basis) {
   // The Gram matrix has the squares of the singular values.
-  const PrecisionScope scope(system.precision == 0 ? 384 : 2 * system.precision + 64);
+  const PrecisionScope scope(decimal_digits(system.precision == 0 ? 384 : 2 * system.precision + 64));
   const int n = basis.rows(), columns = basis.columns();
   if (columns == 0) return {};
   Matrix<Mpfr> gram(n, n), span(n, columns);

@@ -1,35 +1,12 @@
-// Constrained least squares by orthogonal factorisations, in double precision and in MPFR: the one source with Eigen over
-// MPFR.
+// Constrained least squares by orthogonal factorisations, in double precision and in MPFR.
 #include "algebra/error.hpp"
-#include "algebra/number/mpfr_conversion.hpp"
+#include "schemes/unity/mpfr_impl.hpp"
 #include "schemes/unity/multiresolution_impl.hpp"
-
-#include <boost/multiprecision/eigen.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 
 #include <Eigen/QR>
 
 namespace limes::multiresolution_impl {
 namespace {
-
-using Multiprecision =
-    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
-
-template <class T>
-T converted(const Rational& x);
-template <>
-double converted(const Rational& x) {
-  return approx_double(x);
-}
-template <>
-Multiprecision converted(const Rational& x) {
-  Multiprecision result;
-  to_mpfr(result.backend().data(), x, MPFR_RNDN);
-  return result;
-}
-
-Rational exact_value(double x) { return Rational(x); }
-Rational exact_value(const Multiprecision& x) { return from_mpfr(x.backend().data()); }
 
 /// Eq. 41 for all right sides at once: C q = e_i exactly, ||M q|| least. With the pseudo-inverse Q_0 of C, whose rows are
 /// independent, and its null space N, all solutions are the columns of Q_0 + N Y.
@@ -38,7 +15,7 @@ std::vector<Candidate> approx_candidates(const std::vector<Rational>& mask, int 
   using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
   const int K = static_cast<int>(mask.size()), rows = K - 1 - extension / 2, freedom = extension / 2 + 1;
   std::vector<T> p;
-  for (const Rational& x : mask) p.push_back(converted<T>(x));
+  for (const Rational& x : mask) p.push_back(from_rational<T>(x));
   Matrix C = Matrix::Zero(rows, K), M = Matrix::Zero(K - 1, K), N = Matrix::Zero(K, freedom);
   for (int i = 1; i < K; ++i) {
     for (int j = 1; j <= K; ++j) {
@@ -66,8 +43,8 @@ std::vector<Candidate> approx_candidates(const std::vector<Rational>& mask, int 
   }
   std::vector<Candidate> result;
   for (int i = 0; i < rows; ++i) {
-    Candidate candidate{2 * (i + 1) - K, {}, exact_value(T(residuals.col(i).squaredNorm()))};
-    for (int j = 0; j < K; ++j) candidate.q.push_back(exact_value(T(Q(j, i))));
+    Candidate candidate{2 * (i + 1) - K, {}, exact_rational(T(residuals.col(i).squaredNorm()))};
+    for (int j = 0; j < K; ++j) candidate.q.push_back(exact_rational(T(Q(j, i))));
     result.push_back(std::move(candidate));
   }
   return result;
@@ -80,13 +57,8 @@ std::vector<Candidate> approx_candidates_binary64(const std::vector<Rational>& p
 }
 
 std::vector<Candidate> approx_candidates_multiprecision(const std::vector<Rational>& p, int extension, int digits) {
-  const unsigned before = Multiprecision::default_precision();
-  Multiprecision::default_precision(static_cast<unsigned>(digits));
-  struct Restore {
-    unsigned precision;
-    ~Restore() { Multiprecision::default_precision(precision); }
-  } restore{before};
-  return approx_candidates<Multiprecision>(p, extension);
+  const PrecisionScope precision(digits);
+  return approx_candidates<Mpfr>(p, extension);
 }
 
 }  // namespace limes::multiresolution_impl

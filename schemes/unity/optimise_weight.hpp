@@ -16,7 +16,8 @@ struct OptimalParameter {
 };
 
 /// Minimises E over the interval: E on an even grid of `grid` + 1 points, then golden sections around every local minimum of the grid until the
-/// bracket is shorter than the accuracy. Minima closer together than two steps of the grid can be missed; nothing else can for a continuous E.
+/// bracket is shorter than the accuracy. A minimum narrower than a step of the grid can be missed; of several
+/// in one bracket one is found.
 /// \param error E of a parameter \pre accuracy > 0, grid >= 2 \throws Interrupted, what `error` throws
 OptimalParameter optimise_parameter(const std::function<double(const Rational&)>& error, const Interval& interval, const Rational& accuracy,
                                     int grid, const Stop& stop);

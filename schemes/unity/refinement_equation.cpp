@@ -51,8 +51,9 @@ RefinementEquation refinement_equation(const WeightFunction& weight, const std::
   if (equation.domain.is_point() || abs(equation.domain.lower) > 4096 || abs(equation.domain.upper) > 4096) {
     throw InputError("the equation is asked for on an interval with interior points within [-4096, 4096]");
   }
-  check_sum_of_weights(weight);
   const Interval support = weight.support();
+  if (abs(support.lower) > 4096 || abs(support.upper) > 4096) throw InputError("the weight's support is not within [-4096, 4096]");
+  check_sum_of_weights(weight);
   Rational first, last;
   if (shifts) {
     std::tie(first, last) = *shifts;

@@ -1,9 +1,9 @@
-// Eigen inside of analysis/spectral_radius: floating-point pictures of exact families. Included by sources only.
+// Eigen inside of analysis/: floating-point pictures of exact matrices, their eigenvalues. Included by sources only.
 #pragma once
 
 #include "analysis/spectral_radius/matrix_family.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace limes {
 
@@ -26,5 +26,17 @@ inline Eigen::MatrixXd approx_product(const std::vector<Eigen::MatrixXd>& family
   for (const int letter : word) result = result * family[std::size_t(letter)];
   return result;
 }
+
+// Eigenvalues of square matrices of finite entries; functions, because every source that instantiates Eigen's solvers takes ten seconds to compile.
+struct ApproxEigenpairs {
+  Eigen::VectorXcd values;
+  /// Column k belongs to values(k).
+  Eigen::MatrixXcd vectors;
+};
+ApproxEigenpairs approx_eigenpairs(const Eigen::MatrixXd& a);
+Eigen::VectorXcd approx_eigenvalues(const Eigen::MatrixXd& a);
+Eigen::VectorXcd approx_eigenvalues(const Eigen::MatrixXcd& a);
+/// 0 for a matrix without entries.
+double approx_spectral_radius(const Eigen::MatrixXd& a);
 
 }  // namespace limes

@@ -104,7 +104,9 @@ std::vector<Author> authors(const Fields& fields) {
   for (const std::string& name : split(field->second, " and ")) {
     const std::size_t comma = name.find(", ");
     const std::size_t blank = name.rfind(' ');
-    if (comma != std::string::npos) {
+    if (name.starts_with('{') && name.ends_with('}')) {  // not a person
+      result.push_back({"", without_tex(name)});
+    } else if (comma != std::string::npos) {
       result.push_back({without_tex(name.substr(comma + 2)), without_tex(name.substr(0, comma))});
     } else if (blank != std::string::npos) {
       result.push_back({without_tex(name.substr(0, blank)), without_tex(name.substr(blank + 1))});

@@ -79,11 +79,12 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 \setlength{\LTcapwidth}{\textwidth}
 \setlength{\jot}{5pt}
 \raggedbottom
+\widowpenalty=5000 \clubpenalty=5000 \displaywidowpenalty=10000
 \makeatletter
 \renewcommand*{\l@section}{\@dottedtocline{1}{0em}{2em}}
-\renewcommand*{\l@part}[2]{\addpenalty{-\@highpenalty}\addvspace{7pt plus 3pt}%
+\renewcommand*{\l@part}[2]{\addpenalty{-\@highpenalty}\addvspace{5pt plus 3pt}%
   {\parindent=0pt\rightskip=\@pnumwidth\parfillskip=-\@pnumwidth\bfseries\leavevmode #1\hfil\nobreak\hbox to\@pnumwidth{\hss#2}\par\nobreak}}
-\renewcommand{\@tocrmarg}{2.2em plus 1fil}
+\renewcommand{\@tocrmarg}{2em plus 1fil}
 \renewcommand{\@part}{\refstepcounter{part}\limespart}
 \newcommand{\limespart}[2][]{\addcontentsline{toc}{part}{\thepart\hspace{.7em}#1}\markright{}%
   {\parindent=0pt\raggedright\interlinepenalty=10000\normalfont\LARGE\bfseries\thepart\hspace{.7em}#2\par}\nobreak\vskip 2ex\@afterheading}
@@ -113,7 +114,7 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
 
 /// What a fragment needs from packages that the article may not have.
 constexpr std::string_view fragment_start = R"(% A proof by Limes, to be \input into an article after \begin{document}. It needs no package.
-\begingroup
+\begingroup\emergencystretch=3em
 \providecommand{\toprule}{\hline}\providecommand{\midrule}{\hline}\providecommand{\bottomrule}{\hline}
 \providecommand{\tfrac}[2]{{\textstyle\frac{#1}{#2}}}\providecommand{\lVert}{\|}\providecommand{\rVert}{\|}
 )";
@@ -165,7 +166,7 @@ class LatexWriter {
     });
     constexpr int longest = 24;
     if (entries <= longest) text_ += "\\tableofcontents\n\n";
-    else text_ += "\\begin{multicols}{2}[\\section*{\\contentsname}]\n\\small\\csname @starttoc\\endcsname{toc}\n\\end{multicols}\n\n";
+    else text_ += "\\begin{multicols}{2}[\\section*{\\contentsname}]\n\\footnotesize\\parskip=0pt\\csname @starttoc\\endcsname{toc}\n\\end{multicols}\n\n";
   }
 
   std::string inline_text(const RichText& text) const {
@@ -292,11 +293,13 @@ class LatexWriter {
       }
       return;
     }
+    // Wide tables are those with text that takes several lines.
+    const bool wide = table.columns.find('L') != std::string::npos;
     constexpr std::size_t small_table = 30;
     const bool grouped = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& cells) { return cells.size() < table.header.size(); });
     if (table.rows.size() <= small_table && !grouped) {
       const std::string environment = table.caption.empty() ? "limestable" : "limesexhibit";
-      text_ += fmt::format("\\begin{{{}}}{}\n", environment, table.caption.empty() ? "" : "{table}\\small");
+      text_ += fmt::format("\\begin{{{}}}{}{}\n", environment, table.caption.empty() ? "" : "{table}\\small", wide ? "\\footnotesize\\setlength{\\tabcolsep}{3.5pt}" : "");
       if (!table.caption.empty()) {
         text_ += fmt::format("\\caption{{{}}}", inline_text(table.caption));
         label(table.label);
@@ -307,8 +310,6 @@ class LatexWriter {
       text_ += fmt::format("\\bottomrule\n\\end{{tabular}}\n\\end{{{}}}\n", environment);
       return;
     }
-    // Wide tables are those with text that takes several lines.
-    const bool wide = table.columns.find('L') != std::string::npos;
     text_ += fmt::format("{{\\{}\\setlength{{\\tabcolsep}}{{{}}}\\begin{{longtable}}{{{}}}\n", wide ? "footnotesize" : "small",
                          wide ? "3.5pt" : "4.5pt", columns);
     if (!table.caption.empty()) {
@@ -396,7 +397,7 @@ class LatexWriter {
       for (const std::string& key : keys) {
         const auto reference = references_.find(key);
         if (reference == references_.end()) continue;
-        text_ += fmt::format("[{}] {}\n", escaped(reference->second.short_name), inline_text(reference->second.full));
+        text_ += fmt::format("\\par\\noindent\\hangindent=1.5em [{}] {}\n", escaped(reference->second.short_name), inline_text(reference->second.full));
       }
       text_ += "\\par\n";
       return;

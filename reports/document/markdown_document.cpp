@@ -102,7 +102,7 @@ class MarkdownWriter {
   }
   void write_block(const Figure& figure) {
     for (std::size_t k = 0; k < figure.panels.size(); ++k) {
-      text_ += fmt::format("![{0}-{1}](figures/{0}-{1}.svg){2}", figure.name, k + 1, k + 1 < figure.panels.size() ? " " : "\n\n");
+      text_ += fmt::format("![{0}-{1}](figures/{0}-{1}.svg){2}", figure.name, k + 1, k + 1 == figure.panels.size() ? "\n\n" : figure.columns > 0 && (k + 1) % figure.columns == 0 ? "  \n" : " ");
     }
     text_ += inline_text(figure.caption) + "\n\n";
   }

@@ -30,10 +30,13 @@ RichText assertion(const Scheme& scheme, const Claim& claim) {
   if (scheme.surface) return rich(vertex_assertion(scheme, claim));
   const std::string type = scheme.sequence && scheme.sequence->types.size() > 1 ? fmt::format(" ({})", to_string(claim.type)) : "";
   if (claim.space) {
-    const std::string functions = functions_latex(claim.space->functions);
+    std::string functions = functions_latex(claim.space->functions);
+    const bool one = claim.space->functions.size() == 1;
+    if (one) functions = functions.substr(2, functions.size() - 4);  // without braces
+    const char* verb = claim.space->generates ? "generate" : "reproduce";
     const std::string where = fmt::format(" for ${}${}", region_latex(scheme, claim.region), type);
-    return rich(claim.negated ? fmt::format("None of the functions ${}$ is {}d, at any angle{}.", functions, claim.space->generates ? "generate" : "reproduce", where)
-                              : fmt::format("Every step {}s the functions ${}$, at every angle{}.", claim.space->generates ? "generate" : "reproduce", functions, where));
+    if (claim.negated) return rich(fmt::format("{} ${}$ is {}{}d, at any angle{}.", one ? "The function" : "None of the functions", functions, one ? "not " : "", verb, where));
+    return rich(fmt::format("Every step {}s the function{} ${}$, at every angle{}.", verb, one ? "" : "s", functions, where));
   }
   if (claim.subject == ClaimSubject::zero_limits) return rich("The scheme has no continuous limits but zero.");
   const std::string smooth = fmt::format("$C^{{{}}}${}", claim.smoothness, claim.subject == ClaimSubject::projective_limits ? " in its projective version" : "");

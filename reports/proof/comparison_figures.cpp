@@ -165,7 +165,8 @@ Figure family_figure(const Family& family, const std::string& name, const std::v
       panels.all.push_back({one->scheme().name, refined_at(one->scheme(), point, *data, levels_of(one->scheme()), stop)});
     }
     if (panels.all.size() == 2) figure.columns = 2;
-    panels.add_to(figure, 140, 92);
+    const bool small = panels.all.size() <= 3;  // two figures on a page
+    panels.add_to(figure, small ? 122 : 140, small ? 66 : 80);
   }
   const std::string where = first.parameters.empty() ? "" : fmt::format(" for ${}$", point_latex(first.parameter_names(), point));
   figure.caption = rich(fmt::format("Uniform and non-uniform schemes with the same rule for equal intervals{}; the non-uniform ones over centripetal knots. {}", where, comb_words));

@@ -82,7 +82,7 @@ struct Word {
   std::string_view meaning;
 };
 constexpr std::array<Word, 9> vocabulary{{
-    {"f", "$f^k_{i+j}$ is the polynomial of degree $k$ that interpolates the points $p_{i+j-\\lfloor k/2\\rfloor},\\dots,p_{i+j-\\lfloor k/2\\rfloor+k}$ at their knots, in Bézier form on $[t_i,t_{i+1}]$"},
+    {"f", "$f^k_{i+j}$ is the polynomial of degree $k$ that interpolates the points $p_{i+j-\\kappa},\\dots,\\allowbreak p_{i+j-\\kappa+k}$, $\\kappa=\\lfloor k/2\\rfloor$, at their knots, in Bézier form on $[t_i,t_{i+1}]$"},
     {"at", "$S(u)$ is the value of a segment at $u\\in[0,1]$"},
     {"dot", "$c\\cdot S$ is the sum of $c_j$ times the $j$-th Bézier coefficient of $S$"},
     {"hermite", "$\\mathrm{hermite}_r(A,B)$ is the segment of degree $2r+1$ with the $r$-jet of $A$ at $0$ and that of $B$ at $1$"},

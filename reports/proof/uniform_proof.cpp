@@ -72,8 +72,8 @@ RichText level_list(const std::vector<ProofLeaf>& leaves) {
     else ++other;
   }
   std::vector<std::string> parts;
-  for (const auto& [level, count] : counts) parts.push_back(fmt::format("$l={}$ on {}", level, count));
-  if (other > 0) parts.push_back(fmt::format("a polytope norm on {}", other));
+  for (const auto& [level, count] : counts) parts.push_back(fmt::format("$l={}$ on ${}$", level, count));
+  if (other > 0) parts.push_back(fmt::format("a polytope norm on ${}$", other));
   return rich(fmt::format("{}", fmt::join(parts, ", ")));
 }
 
@@ -183,12 +183,13 @@ Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leav
                                            is_point(whole) ? "" : " on the whole region", polytope ? to_decimal(polytope->norm.bound, 8, Rounding::up) : "1")));
     return blocks;
   }
-  blocks.push_back(paragraph(rich(fmt::format("The norm is below $1$ on each of ${}$ boxes that cover the region: ", leaves.size())) + level_list(leaves) + rich(".")));
-  if (leaves.size() <= most_rows) {
+  const bool listed = leaves.size() <= most_rows;
+  blocks.push_back(paragraph(rich(fmt::format("The norm is below $1$ on each of ${}$ boxes that cover the region: ", leaves.size())) + (listed ? RichText{} : level_list(leaves) + rich("."))));
+  if (listed) {
     DataTable table{.caption = {}, .columns = "lr", .header = {rich("region"), rich("level $l$")}, .rows = {}};
     for (const ProofLeaf& leaf : leaves) {
       const auto* witness = std::get_if<ContractionWitness>(&leaf.witness);
-      table.rows.push_back({region_rich(scheme, leaf.region), witness ? mathematics(std::to_string(witness->level)) : rich("polytope")});
+      table.rows.push_back({region_rich(scheme, leaf.region), witness ? mathematics(std::to_string(witness->level)) : rich("polytope norm")});
     }
     blocks.push_back(std::move(table));
   }

@@ -4,6 +4,7 @@
 #include "reports/plot/surface_plot.hpp"
 #include "reports/proof/figures_impl.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -124,7 +125,7 @@ std::optional<Figure> vertex_surface_figure(const Scheme& scheme, const Stop& st
   constexpr int levels = 3;
   for (const int n : {3, 5, 8}) {
     try {
-      Rings rings = control_points(rule, n);
+      Rings rings = control_points(rule, n), net;
       SurfacePlotOptions options;
       options.title = fmt::format("$n={}$", n);
       options.azimuth = 25;
@@ -132,9 +133,11 @@ std::optional<Figure> vertex_surface_figure(const Scheme& scheme, const Stop& st
       for (int level = 0; level < levels; ++level) {
         stop.check();
         rings = refined(rule, rings);
-        // The first refined net is drawn over the surface, which does not reach as far as the control points.
-        if (level == 0) options.lines = edge_lines(mesh_of(rings));
+        if (level == 0) net = rings;
       }
+      // The surface does not reach as far as the control points; the first refined net is drawn over it.
+      net.count = std::min(net.count, rings.count / (1 << (levels - 1)) + 1);
+      options.lines = edge_lines(mesh_of(net));
       const PolygonMesh mesh = mesh_of(rings);
       Plot plot = surface_plot(mesh, options);
       plot.width = 140;

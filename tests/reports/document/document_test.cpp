@@ -125,6 +125,7 @@ TEST(Bibliography, ReadsTheProjectsOwn) {
   const References all = read_bibliography(std::string(std::istreambuf_iterator<char>(stream), {}), "references.bib");
   EXPECT_EQ(all.at("KarciauskasPeters2013").short_name, "Karčiauskas & Peters 2013");
   EXPECT_EQ(all.at("DynLevinGregory1987").short_name, "Dyn, Levin & Gregory 1987");
+  EXPECT_EQ(all.at("Limes").short_name, "The Limes project 2026");
   for (const auto& [key, reference] : all) {
     for (const Span& span : reference.full) {
       if (span.kind == Span::Kind::mathematics) continue;

@@ -93,7 +93,7 @@ TEST(ProofReport, ManySchemesOfSeveralKindsAreInParts) {
   };
   add(catmull_rom, "first");
   for (const char* name : {"a", "b", "c", "d", "e", "f"}) add(four_point, name);
-  const std::string text = to_latex(proof_report(schemes, {.figures = false}), {});
+  const std::string text = to_latex(proof_report(schemes, {.figures = false, .polygons = {}, .nets = {}}), {});
   const std::size_t uniform = text.find("\\part{Uniform schemes for curves}"), nonuniform = text.find("\\part{Non-uniform schemes for curves}");
   ASSERT_NE(uniform, std::string::npos);
   ASSERT_NE(nonuniform, std::string::npos);
@@ -101,7 +101,7 @@ TEST(ProofReport, ManySchemesOfSeveralKindsAreInParts) {
   EXPECT_LT(text.find("\\label{scheme-f}"), nonuniform);
   EXPECT_LT(nonuniform, text.find("\\label{scheme-first}"));
   schemes.resize(3);
-  EXPECT_THAT(to_latex(proof_report(schemes, {.figures = false}), {}), testing::Not(HasSubstr("\\part{"))) << "few schemes need no parts";
+  EXPECT_THAT(to_latex(proof_report(schemes, {.figures = false, .polygons = {}, .nets = {}}), {}), testing::Not(HasSubstr("\\part{"))) << "few schemes need no parts";
 }
 
 TEST(ProofReport, ComparesSchemesWithTheSameUniformRule) {
@@ -109,7 +109,7 @@ TEST(ProofReport, ComparesSchemesWithTheSameUniformRule) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "beetle.csv") << "0,0\n4,0\n5,2\n4.5,2.5\n1,3\n0,2\n";
   std::vector<ReportedScheme> schemes{decided(four_point), decided(catmull_rom)};
-  const Document document = proof_report(schemes, {.polygons = folder});
+  const Document document = proof_report(schemes, {.polygons = folder, .nets = {}});
   const Figure* comparison = nullptr;
   for (const Figure* figure : figures(document)) {
     if (figure->name == "comparison-mine") comparison = figure;
@@ -124,7 +124,7 @@ TEST(ProofReport, ComparesSchemesWithTheSameUniformRule) {
   EXPECT_EQ(left.y.upper, right.y.upper);
   EXPECT_NE(comparison->panels[0].data, comparison->panels[1].data) << "the edges have different lengths";
   schemes.pop_back();
-  for (const Figure* figure : figures(proof_report(schemes, {.polygons = folder}))) EXPECT_THAT(figure->name, testing::Not(testing::StartsWith("comparison")));
+  for (const Figure* figure : figures(proof_report(schemes, {.polygons = folder, .nets = {}}))) EXPECT_THAT(figure->name, testing::Not(testing::StartsWith("comparison")));
   std::filesystem::remove_all(folder);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace limes {
 namespace {
@@ -26,12 +27,15 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// File and scheme names may be broken after '/', '-' and '.'.
+/// File and scheme names may be broken after '/', '.' and ',', and after a '-' that is no sign.
 std::string escaped_code(std::string_view text) {
   std::string result;
-  for (const char c : escaped(text)) {
+  const std::string all = escaped(text);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const char c = all[k];
     result += c;
-    if (c == '/' || c == '.' || c == ',' || c == '-') result += "\\allowbreak{}";
+    const bool hyphen = c == '-' && k + 1 < all.size() && std::isalpha(static_cast<unsigned char>(all[k + 1]));
+    if (c == '/' || c == '.' || c == ',' || hyphen) result += "\\allowbreak{}";
   }
   return result;
 }
@@ -86,7 +90,7 @@ constexpr std::string_view preamble_end = R"(\definecolor{limeslink}{RGB}{0,62,1
   {\parindent=0pt\rightskip=\@pnumwidth\parfillskip=-\@pnumwidth\bfseries\leavevmode #1\hfil\nobreak\hbox to\@pnumwidth{\hss#2}\par\nobreak}}
 \renewcommand{\@tocrmarg}{2em plus 1fil}
 \renewcommand{\@part}{\refstepcounter{part}\limespart}
-\newcommand{\limespart}[2][]{\addcontentsline{toc}{part}{\thepart\hspace{.7em}#1}\markright{}%
+\newcommand{\limespart}[2][]{\addcontentsline{toc}{part}{\thepart\hspace{.7em}#1}\markright{\thepart\quad #1}%
   {\parindent=0pt\raggedright\interlinepenalty=10000\normalfont\LARGE\bfseries\thepart\hspace{.7em}#2\par}\nobreak\vskip 2ex\@afterheading}
 % A section does not begin at the foot of a page.
 \newcommand{\limesroom}[1]{\par\begingroup\dimen0=#1\relax\vskip 0pt plus\dimen0 \penalty-100\vskip 0pt plus-\dimen0\vskip\dimen0\penalty9999\vskip-\dimen0\vskip 0pt\endgroup}

@@ -77,6 +77,14 @@ void HullOracle::append_directions(int index) {
   for (const double sign : {1.0, -1.0}) append({index, false, sign});
 }
 
+/// Whether the last solution has slack: the columns, so far, do not represent the right side.
+bool HullOracle::leaves_span() const {
+  for (int k = 1; k <= 2 * dimension_; ++k) {
+    if (glp_get_col_prim(program_->lp, k) > 1e-7) return true;
+  }
+  return false;
+}
+
 /// Programs with few columns are fast: drops those that are not in the last basis, which stays what it is.
 void HullOracle::forget_columns() {
   glp_prob* lp = program_->lp;
@@ -192,16 +200,15 @@ ApproxCombination HullOracle::combine(const Eigen::VectorXd& x, double enough) {
     if (!solve(round > 0)) return {infinity, {}};
     if (!complex_ || round == 40) break;
     const double value = glp_get_obj_val(lp) * scale;
-    if (value <= enough || !append_violated(value, enough)) break;
+    if ((value <= enough && !leaves_span()) || !append_violated(value, enough)) break;
   }
+  if (leaves_span()) return {infinity, {}};
   std::map<std::pair<int, bool>, std::complex<double>> sums;
   for (int k = 1; k <= dimension_; ++k) {
     const int variable = glp_get_bhead(lp, k) - dimension_;  // rows first, then columns
     if (variable < 1) continue;
     const double t = glp_get_col_prim(lp, variable);
-    if (variable <= 2 * dimension_) {
-      if (t > 1e-7) return {infinity, {}};
-    } else if (t > 1e-12) {
+    if (variable > 2 * dimension_ && t > 1e-12) {
       const Column& column = columns_[std::size_t(variable - 2 * dimension_ - 1)];
       sums[{column.index, column.conjugate}] += t * scale * column.direction;
     }

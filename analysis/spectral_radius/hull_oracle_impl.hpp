@@ -50,6 +50,7 @@ class HullOracle {
   void append(const Column& column);
   bool solve(bool primal);
   void forget_columns();
+  bool leaves_span() const;
   bool append_violated(double value, double enough);
   Eigen::VectorXd column_vector(const Column& column) const;
 

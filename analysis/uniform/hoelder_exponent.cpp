@@ -86,11 +86,16 @@ void bound_radius(const MatrixFamily& sections, const LaurentPolynomial& b, int 
     norm = bound_by_norms(b, p, stop);
   } catch (const Interrupted&) {  // the search notices it too
   }
+  SpectralRadiusOptions options{.digits = digits, .polytopes = {}};
+  if (norm) options.known_upper = norm->bound;
   for (const PolytopeLimits& now : {few, limits}) {
-    SpectralRadiusOptions options{.digits = digits, .polytopes = now};
-    if (norm) options.known_upper = norm->bound;
-    exponent.radius = bound_spectral_radius(sections, options, stop);
-    exponent.level.reset();
+    options.polytopes = now;
+    SpectralRadiusBounds found = bound_spectral_radius(sections, options, stop);
+    exponent.radius.interrupted = found.interrupted;
+    if (found.exact || exponent.radius.blocks.empty() || found.upper < exponent.radius.upper) {
+      exponent.radius = std::move(found);
+      exponent.level.reset();
+    }
     if (exponent.radius.exact) return;
     if (norm && norm->bound < exponent.radius.upper) {
       exponent.radius.upper = norm->bound;
@@ -100,6 +105,7 @@ void bound_radius(const MatrixFamily& sections, const LaurentPolynomial& b, int 
     // A narrow bound by a polytope is not the end: with more vectors the radius may be found exactly.
     const bool settled = narrow && (exponent.level || limits.max_degree == 1);
     if (exponent.radius.interrupted || settled || now.max_vectors == limits.max_vectors) return;
+    options.known_upper = exponent.radius.upper;
   }
 }
 

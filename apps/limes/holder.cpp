@@ -63,12 +63,13 @@ int run_holder(const HolderOptions& options) {
   const Scheme scheme = load_scheme(options.scheme);
   require_one_mask(scheme, "holder");
   const std::vector<Rational> point = point_from_settings(scheme, options.parameters, "the exponent needs");
-  HolderReport report{bound_hoelder_exponent(at(scheme.mask, point), options.digits, {}, session.stop()), scheme.mask.arity, ""};
+  ProvedExponent proved = bound_and_prove_hoelder_exponent(scheme, point, options.digits, session.stop());
+  HolderReport report{std::move(proved.exponent), scheme.mask.arity, ""};
   const HoelderExponent& exponent = report.exponent;
   if (exponent.bounds.lower) {
     make_directory(options.certificates);
     const std::filesystem::path file = options.certificates / file_name(scheme, point);
-    write_file(file, prove_hoelder_exponent(scheme, point, exponent));
+    write_file(file, proved.certificate);
     report.certificate = file.string();
   }
   const int digits = options.digits + 2;

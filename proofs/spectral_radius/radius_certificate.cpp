@@ -106,4 +106,18 @@ std::string prove_hoelder_exponent(const Scheme& scheme, std::span<const Rationa
                   {"proof", std::move(proof)}});
 }
 
+ProvedExponent bound_and_prove_hoelder_exponent(const Scheme& scheme, std::span<const Rational> point, int digits, const Stop& stop) {
+  const Mask mask = at(scheme.mask, point);
+  const auto attempt = [&](const PolytopeLimits& limits) {
+    ProvedExponent result{bound_hoelder_exponent(mask, digits, limits, stop), {}};
+    if (result.exponent.bounds.lower) result.certificate = prove_hoelder_exponent(scheme, point, result.exponent);
+    return result;
+  };
+  try {
+    return attempt({});
+  } catch (const LimitError&) {
+    return attempt({.max_degree = 1});
+  }
+}
+
 }  // namespace limes

@@ -15,4 +15,14 @@ std::string prove_spectral_radius(const MatrixFamily& family, const SpectralRadi
 /// \pre bounds.lower is there
 std::string prove_hoelder_exponent(const Scheme& scheme, std::span<const Rational> point, const HoelderExponent& exponent);
 
+struct ProvedExponent {
+  HoelderExponent exponent;
+  /// Empty without a lower bound.
+  std::string certificate;
+};
+
+/// Bounds of the exponent at a parameter value with their certificate; where the exact value is too much for the checker, bounds without it.
+/// \throws LimitError when these are too much, too
+ProvedExponent bound_and_prove_hoelder_exponent(const Scheme& scheme, std::span<const Rational> point, int digits, const Stop& stop);
+
 }  // namespace limes

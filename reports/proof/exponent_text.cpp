@@ -107,10 +107,10 @@ std::vector<std::vector<Rational>> exponent_points(const Scheme& scheme, const s
 
 std::optional<DecidedExponent> decide_exponent(const Scheme& scheme, const std::vector<Rational>& point, const Stop& stop) {
   try {
-    DecidedExponent decided{point, bound_hoelder_exponent(at(scheme.mask, point), digits, {}, stop), scheme.name, {}};
+    ProvedExponent proved = bound_and_prove_hoelder_exponent(scheme, point, digits, stop);
     stop.check();
-    if (!decided.exponent.bounds.lower) return std::nullopt;
-    decided.certificate_json = prove_hoelder_exponent(scheme, point, decided.exponent);
+    if (!proved.exponent.bounds.lower) return std::nullopt;
+    DecidedExponent decided{point, std::move(proved.exponent), scheme.name, std::move(proved.certificate)};
     for (std::size_t k = 0; k < point.size(); ++k) decided.certificate += fmt::format(".{}-{}", scheme.parameters[k].name, to_string(point[k]));
     for (char& c : decided.certificate) c = c == '/' ? '_' : c;
     decided.certificate += ".holder.json";

@@ -192,3 +192,32 @@ TEST(SpectralRadiusBounds, StoppedAtOnceTheBoundsStillHold) {
   EXPECT_EQ(bounds.lower, 0);
   EXPECT_EQ(bounds.upper, 2);
 }
+
+TEST(SpectralRadiusBounds, FieldsUpToADegree) {
+  const MatrixFamily golden{matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})};
+  for (const int degree : {1, 2}) {
+    const SpectralRadiusBounds bounds = bound_spectral_radius(golden, {.digits = 3, .polytopes = {.max_vectors = 200, .max_degree = degree}}, {});
+    EXPECT_EQ(bounds.exact.has_value(), degree == 2);
+    expect_proved(bounds, golden);
+    EXPECT_LE(bounds.upper, bounds.lower * Rational(1001, 1000));
+  }
+  const SpectralRadiusBounds rational = bound_spectral_radius({matrix({{1, 1}, {0, 2}})}, {.digits = 3, .polytopes = {.max_degree = 1}}, {});
+  ASSERT_TRUE(rational.exact);
+  EXPECT_EQ(rational.lower, 2);
+}
+
+TEST(SpectralRadiusBounds, AKnownBoundTakesThePlaceOfPolytopes) {
+  // Radius (3 + sqrt 5) / 2 to the power 1/2, the exact value not being looked for.
+  const MatrixFamily golden{matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})};
+  SpectralRadiusOptions options{.digits = 3, .polytopes = {.max_vectors = 200, .max_degree = 1}};
+  const SpectralRadiusBounds without = bound_spectral_radius(golden, options, {});
+  options.known_upper = without.upper;
+  const SpectralRadiusBounds narrow = bound_spectral_radius(golden, options, {});
+  EXPECT_EQ(narrow.lower, without.lower);
+  EXPECT_GT(narrow.upper, without.upper) << "the row sums alone";
+  expect_proved(narrow, golden);
+  options.known_upper = without.lower * Rational(11, 10);
+  const SpectralRadiusBounds wide = bound_spectral_radius(golden, options, {});
+  EXPECT_LE(wide.upper, wide.lower * Rational(1001, 1000));
+  expect_proved(wide, golden);
+}

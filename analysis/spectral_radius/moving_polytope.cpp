@@ -245,15 +245,19 @@ class MovingSearch {
     const Ends images{image(0, e, x[0]), image(1, e, x[1])};
     const Eigen::VectorXd middle = ((image(0, e, x[1]) + image(1, e, x[0])) / 2 + (images[0] + images[1]) / 2) / 2;
     if (std::max(images[0].cwiseAbs().maxCoeff(), images[1].cwiseAbs().maxCoeff()) < std::ldexp(1.0, -limits_.precision)) return {};
-    const ApproxCombination approx = oracle_->combine(middle, enough);
-    ApproxMoving result{approx.norm, {}};
-    if (!(approx.norm <= enough)) return result;
-    for (const ApproxTerm& term : approx.terms) result.terms.push_back({term.index, term.conjugate, {term.c, term.c, term.c}});
-    for (std::size_t k : {0, 1}) {
-      if (!correct(result, 2 * k, k, images[k])) return {infinity, {}};
+    ApproxMoving result;
+    // A hasty combination may do at the middle and not at the ends.
+    for (const bool best : {false, true}) {
+      const ApproxCombination approx = oracle_->combine(middle, enough, best);
+      result = {approx.norm, {}};
+      if (!(approx.norm <= enough)) return result;
+      for (const ApproxTerm& term : approx.terms) result.terms.push_back({term.index, term.conjugate, {term.c, term.c, term.c}});
+      bool spans = correct(result, 0, 0, images[0]) && correct(result, 2, 1, images[1]);
+      spans = spans && correct(result, 1, 2, middle_target(result, e, x));
+      set_norm(result);
+      if (!spans) result.norm = infinity;
+      if (result.norm <= enough || length_ == n_) break;
     }
-    if (!correct(result, 1, 2, middle_target(result, e, x))) return {infinity, {}};
-    set_norm(result);
     return result;
   }
 

@@ -71,3 +71,26 @@ TEST(NormJson, OneNormForAnInterval) {
     EXPECT_TRUE(find_polytope(between, bound, {}, {}));
   }
 }
+
+TEST(NormJson, VectorsThatMoveWithTheParameter) {
+  // C^3 of the eight-point scheme up to 0.009362; the radius is 1 at 0.0093622..
+  MatrixFamily ends = sections("eight-point", {Rational(92, 10000)}, 4);
+  for (const RationalMatrix& b : sections("eight-point", {Rational(9362, 1000000)}, 4)) ends.push_back(b);
+  const Rational bound(999999, 1000000);
+  const auto norm = find_moving_polytope(ends, bound, {.eagerness = 0.5}, {});
+  ASSERT_TRUE(norm);
+  const auto verdict_of = [&](const Rational& claimed) -> std::string {
+    std::vector<checker::RationalMatrix> matrices;
+    for (const RationalMatrix& b : ends) matrices.push_back(for_checker(b));
+    checker::Budget budget;
+    try {
+      checker::prove_moving_norm(matrices, mpq_class(to_string(claimed)), checker::parse_json(norm_to_json(*norm).dump()), budget);
+    } catch (const checker::Rejected& rejected) {
+      return rejected.step + ": " + rejected.reason;
+    }
+    return "";
+  };
+  EXPECT_EQ(verdict_of(bound), "");
+  EXPECT_NE(verdict_of(Rational(9999, 10000)), "");
+  for (std::size_t k = 0; k < norm->blocks.size(); ++k) EXPECT_LE(exact_moving_bound(norm->blocks[k], norm->form.diagonal_block(k)), bound);
+}

@@ -184,7 +184,7 @@ ApproxCombination HullOracle::combine_complex(const Eigen::VectorXd& x, double e
       }
       if (result.terms.size() > 4 * std::size_t(dimension_)) break;
       correct(result, rest);
-      const double most = best ? std::min(enough, found.upper * (1 + 1e-7)) : bounded ? enough : found.upper * (1 + 1e-2);
+      const double most = best ? std::min(enough, found.upper * (1 + 1e-7)) : bounded ? enough : found.upper * 1.25;
       if (result.norm <= most && represents(result, x)) return result;
     }
   }

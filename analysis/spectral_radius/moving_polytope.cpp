@@ -74,7 +74,7 @@ std::optional<Ends> leading_vectors(const std::array<Eigen::MatrixXd, 2>& produc
 class MovingSearch {
  public:
   MovingSearch(const MatrixFamily& ends, const Rational& bound, const PolytopeLimits& limits, const Stop& stop)
-      : ends_(ends), letters_(ends.size() / 2), bound_(bound), limits_(limits), stop_(stop), n_(family_size(ends)) {
+      : ends_(ends), basis_(RationalMatrix::identity(family_size(ends))), inverse_(basis_), letters_(ends.size() / 2), bound_(bound), limits_(limits), stop_(stop), n_(family_size(ends)) {
     inner_bound_ = bound * (1 - Rational(1, Integer(1) << unsigned(std::max(limits.precision - 26, 8))));
     tolerated_ = approx_double(inner_bound_);
     images_.resize(letters_);
@@ -112,6 +112,7 @@ class MovingSearch {
     for (const Ends& v : starts) add_start(v);
     if (vectors_.empty()) add_start({Eigen::VectorXd::Unit(n_, 0), Eigen::VectorXd::Unit(n_, 0)});
     if (!close()) return std::nullopt;
+    make_round();
     if (const std::optional<double> reach = unit_reach()) return finish(*reach);
     for (int k = 0; k < n_; ++k) add_start({Eigen::VectorXd::Unit(n_, k) / 64, Eigen::VectorXd::Unit(n_, k) / 64});
     if (!close()) return std::nullopt;
@@ -119,7 +120,57 @@ class MovingSearch {
     return std::nullopt;
   }
 
+  /// The coordinates T in which the polytope is written, and T^{-1}; set by run().
+  const RationalMatrix& basis() const { return basis_; }
+  const RationalMatrix& inverse() const { return inverse_; }
+
  private:
+  /// Coordinates in which the vectors spread alike in all directions: what remains is measured by unit vectors. T = L D, where L has ones on its diagonal
+  /// and D powers of 2, so that T^{-1} is dyadic as well.
+  void make_round() {
+    Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(n_, n_);
+    for (const Ends& v : approx_vectors_) {
+      const Eigen::VectorXd middle = (v[0] + v[1]) / 2;
+      for (int first = 0; first < length_; first += n_) spread += middle.segment(first, n_) * middle.segment(first, n_).transpose();
+    }
+    const Eigen::LLT<Eigen::MatrixXd> root(spread / double(approx_vectors_.size()));
+    if (n_ == 1 || root.info() != Eigen::Success) return;
+    const Eigen::MatrixXd lower = root.matrixL();
+    constexpr int bits = 10;
+    RationalMatrix t(n_, n_), inverse = RationalMatrix::identity(n_);
+    for (int j = 0; j < n_; ++j) {
+      if (!(lower(j, j) > 0)) return;
+      for (int i = j; i < n_; ++i) t(i, j) = i == j ? Rational(1) : round_to_bits(Rational(lower(i, j) / lower(j, j)), bits);
+    }
+    for (int i = 0; i < n_; ++i) {
+      for (int k = 0; k < i; ++k) {
+        for (int j = 0; j <= k; ++j) inverse(i, j) -= t(i, k) * inverse(k, j);
+      }
+    }
+    for (int k = 0; k < n_; ++k) {
+      const Rational scale(std::exp2(std::round(std::log2(lower(k, k)))));
+      for (int i = 0; i < n_; ++i) {
+        t(i, k) *= scale;
+        inverse(k, i) /= scale;
+      }
+    }
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+      ends_[e] = inverse * ends_[e] * t;
+      approx_ends_[e / letters_][e % letters_] = approx_matrix(ends_[e]);
+    }
+    oracle_.emplace(n_, length_ > n_);
+    for (std::size_t j = 0; j < vectors_.size(); ++j) {
+      for (std::size_t k : {0, 1}) {
+        vectors_[j][k] = image_of(inverse, vectors_[j][k]);
+        for (Rational& x : vectors_[j][k]) x = round_to_bits(x, limits_.precision);
+        approx_vectors_[j][k] = approx_vector(vectors_[j][k]);
+      }
+      oracle_->add((approx_vectors_[j][0] + approx_vectors_[j][1]) / 2);
+    }
+    basis_ = std::move(t);
+    inverse_ = std::move(inverse);
+  }
+
   Eigen::VectorXd lifted(const Eigen::VectorXd& v) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(length_);
     result.head(v.size()) = v;
@@ -380,7 +431,8 @@ class MovingSearch {
   }
 
  private:
-  const MatrixFamily& ends_;
+  MatrixFamily ends_;
+  RationalMatrix basis_, inverse_;
   std::size_t letters_;
   const Rational bound_;
   Rational inner_bound_;
@@ -420,12 +472,24 @@ Rational exact_moving_bound(const MovingPolytope& polytope, const MatrixFamily& 
 std::optional<MovingNorm> find_moving_polytope(const MatrixFamily& ends, const Rational& bound, const PolytopeLimits& limits, const Stop& stop) {
   if (bound <= 0 || ends.empty() || ends.size() % 2 != 0) throw DomainError("find_moving_polytope: no positive bound, or an odd number of matrices");
   MovingNorm result{bound, block_triangular_form(ends), {}};
-  for (std::size_t k = 0; k < result.form.sizes.size(); ++k) {
+  RationalMatrix change = RationalMatrix::identity(family_size(ends)), back = change;
+  for (std::size_t k = 0, first = 0; k < result.form.sizes.size(); first += std::size_t(result.form.sizes[k++])) {
     const MatrixFamily block = result.form.diagonal_block(k);
-    std::optional<MovingPolytope> polytope = MovingSearch(block, bound, limits, stop).run();
+    MovingSearch search(block, bound, limits, stop);
+    std::optional<MovingPolytope> polytope = search.run();
     if (!polytope) return std::nullopt;
     result.blocks.push_back(std::move(*polytope));
+    for (int i = 0; i < result.form.sizes[k]; ++i) {
+      for (int j = 0; j < result.form.sizes[k]; ++j) {
+        change(int(first) + i, int(first) + j) = search.basis()(i, j);
+        back(int(first) + i, int(first) + j) = search.inverse()(i, j);
+      }
+    }
   }
+  BlockTriangularForm& form = result.form;
+  form.basis = form.basis * change;
+  form.inverse = back * form.inverse;
+  for (RationalMatrix& b : form.matrices) b = back * b * change;
   return result;
 }
 

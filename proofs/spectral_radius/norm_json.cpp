@@ -15,7 +15,7 @@ Json matrix_to_json(const RationalMatrix& a) {
 }
 
 Json form_to_json(const BlockTriangularForm& form) {
-  if (form.sizes.size() == 1) return nullptr;
+  if (form.sizes.size() == 1 && form.basis == RationalMatrix::identity(form.sizes.front())) return nullptr;
   return {{"basis", matrix_to_json(form.basis)}, {"inverse", matrix_to_json(form.inverse)}, {"sizes", form.sizes}};
 }
 

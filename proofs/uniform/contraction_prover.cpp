@@ -123,6 +123,7 @@ std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& bo
   if (!sections || sections->front().rows() > limits_.max_polytope_dimension) return std::nullopt;
   const double gap = 1 - approx_radius(*sections, stop_);
   PolytopeLimits limits = limits_.polytope;
+  limits.real_room = 0.05;
   int bits = 20;
   if (gap <= std::ldexp(1, 1 - bits)) {
     bits = 27;

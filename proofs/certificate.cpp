@@ -17,7 +17,9 @@ Json leaf_to_json(const ProofLeaf& leaf, const VariableNames& names) {
   Json json{{"region", region_to_json(leaf.region, names)}};
   if (const auto* contraction = std::get_if<ContractionWitness>(&leaf.witness)) json["level"] = contraction->level;
   if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
-    json["polytope"] = {{"bound", to_string(polytope->norm.bound)}, {"norm", norm_to_json(polytope->norm)}};
+    json["polytope"] = {{"bound", to_string(polytope->bound())}};
+    if (const auto* fixed = std::get_if<PolytopeNorm>(&polytope->norm)) json["polytope"]["norm"] = norm_to_json(*fixed);
+    else json["polytope"]["moving"] = norm_to_json(std::get<MovingNorm>(polytope->norm));
   }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) json["missing_factor"] = true;
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) json["word"] = word->word;
@@ -178,6 +180,20 @@ std::string to_string(Theorem theorem) {
     case Theorem::e2: return "E2";
   }
   throw InternalError("unknown theorem");
+}
+
+const Rational& PolytopeWitness::bound() const {
+  return std::visit([](const auto& polytopes) -> const Rational& { return polytopes.bound; }, norm);
+}
+
+std::size_t PolytopeWitness::vectors() const {
+  return std::visit(
+      [](const auto& polytopes) {
+        std::size_t count = 0;
+        for (const auto& block : polytopes.blocks) count += block.vectors.size();
+        return count;
+      },
+      norm);
 }
 
 int Certificate::level() const {

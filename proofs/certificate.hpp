@@ -3,7 +3,7 @@
 #include "analysis/nonstationary/asymptotic_bound.hpp"
 #include "analysis/nonstationary/space_moments.hpp"
 #include "analysis/nonuniform/dominance_test.hpp"
-#include "analysis/spectral_radius/polytope_norm.hpp"
+#include "analysis/spectral_radius/moving_polytope.hpp"
 #include "analysis/uniform/stability.hpp"
 #include "analysis/unity/projective_roughness.hpp"
 #include "schemes/scheme.hpp"
@@ -48,9 +48,13 @@ std::string to_string(Theorem theorem);
 struct ContractionWitness {
   int level = 1;
 };
-/// A norm of bound < 1 for all matrices of section_hull() on the leaf (U1).
+/// A norm of bound < 1 for all matrices of section_hull() on the leaf, or one for each parameter value there (U1).
 struct PolytopeWitness {
-  PolytopeNorm norm;
+  std::variant<PolytopeNorm, MovingNorm> norm;
+
+  const Rational& bound() const;
+  /// Vectors of all blocks.
+  std::size_t vectors() const;
 };
 /// sigma^{m+1} does not divide the symbol at any point of the leaf (U2).
 struct MissingFactorWitness {};

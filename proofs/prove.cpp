@@ -105,17 +105,15 @@ std::string describe_failure(const Attempt& attempt, const VariableNames& names)
 
 std::string describe_leaf(const ProofLeaf& leaf, int m) {
   if (const auto* ratio = std::get_if<RatioWitness>(&leaf.witness)) {
-    return fmt::format("at the knot ratio gamma = {} an eigenvalue besides 1, .., 2^-{} has modulus >= 2^-{}", to_string(ratio->gamma),
-                       m, m);
+    return fmt::format("at the knot ratio gamma = {} an eigenvalue besides 1, .., 2^-{} has modulus >= 2^-{}, or a power of t is no eigenvector",
+                       to_string(ratio->gamma), m, m);
   }
   if (const auto* word = std::get_if<WordWitness>(&leaf.witness)) {
     return fmt::format("the sections B_e along the word {} have a product of spectral radius >= 1", fmt::join(word->word, " "));
   }
   if (const auto* polytope = std::get_if<PolytopeWitness>(&leaf.witness)) {
-    std::size_t vectors = 0;
-    for (const Polytope& block : polytope->norm.blocks) vectors += block.vectors.size();
     return fmt::format("sigma^{} divides the symbol and the difference scheme contracts in the norm of a polytope of {} vectors", m + 1,
-                       vectors);
+                       polytope->vectors());
   }
   if (std::holds_alternative<MissingFactorWitness>(leaf.witness)) return fmt::format("sigma^{} does not divide the symbol", m + 1);
   return fmt::format("sigma^{} divides the symbol and the difference scheme contracts", m + 1);

@@ -70,17 +70,24 @@ MultivariatePolynomial SubdivisionMatrix::knot(int j) const {
   return j > 0 ? index * MultivariatePolynomial::variable(variables_, gamma()) : index;
 }
 
-int SubdivisionMatrix::reproduced_degree(int limit) const {
+std::vector<MultivariatePolynomial> SubdivisionMatrix::power_defects(int k) const {
+  std::vector<MultivariatePolynomial> result;
   const int last = points_ - 1;
-  for (int k = 0; k <= limit; ++k) {
-    for (int row = -last; row <= last; ++row) {
-      if (row % 2 == 0) continue;  // unit rows: t_{row/2} = t_row / 2
-      MultivariatePolynomial sum(variables_);
-      for (int j = 0; j < points_; ++j) {
-        sum += stencil(row).numerators[static_cast<std::size_t>(j)] * power(knot(first_knot(row) + j), k);
-      }
-      if (sum != power(Rational(2), -k) * (power(knot(row), k) * stencil(row).denominator)) return k - 1;
+  for (int row = -last; row <= last; ++row) {
+    if (row % 2 == 0) continue;  // unit rows: t_{row/2} = t_row / 2
+    MultivariatePolynomial sum(variables_);
+    for (int j = 0; j < points_; ++j) {
+      sum += stencil(row).numerators[static_cast<std::size_t>(j)] * power(knot(first_knot(row) + j), k);
     }
+    sum -= power(Rational(2), -k) * (power(knot(row), k) * stencil(row).denominator);
+    if (!sum.is_zero()) result.push_back(std::move(sum));
+  }
+  return result;
+}
+
+int SubdivisionMatrix::reproduced_degree(int limit) const {
+  for (int k = 0; k <= limit; ++k) {
+    if (!power_defects(k).empty()) return k - 1;
   }
   return limit;
 }

@@ -40,6 +40,8 @@ class SubdivisionMatrix {
   RationalMatrix at(std::span<const Rational> point) const;
   /// t_j as a polynomial in gamma.
   MultivariatePolynomial knot(int j) const;
+  /// The entries of L v_k - 2^{-k} v_k that are not zero, times their rows' denominators, v_k being the k-th powers of the knots.
+  std::vector<MultivariatePolynomial> power_defects(int k) const;
   /// The greatest m <= limit with L v_k = 2^{-k} v_k for k = 0..m, where v_k are the k-th powers of the knots, as
   /// identities in all variables; -1 when constants are not reproduced.
   int reproduced_degree(int limit) const;

@@ -1,4 +1,4 @@
-// A floating-point oracle for symmetric hulls, on GLPK. Included by sources only.
+// A floating-point oracle for symmetric hulls: linear programs by GLPK, hulls of ellipses by an interior-point method. Included by sources only.
 #pragma once
 
 #include "analysis/eigen_impl.hpp"
@@ -33,31 +33,28 @@ class HullOracle {
   std::size_t size() const { return vectors_.size(); }
   const Eigen::VectorXd& vector(std::size_t j) const { return vectors_[j]; }
   void add(const Eigen::VectorXd& v);
-  /// A combination of about the least norm; the search ends with a norm <= `enough`, or once it is seen to be above.
-  ApproxCombination combine(const Eigen::VectorXd& x, double enough);
+  /// A combination of about the least norm; the search ends with a norm <= `enough`, or once it is seen to be above. With `best`, a combination
+  /// of the least norm also where it is below.
+  ApproxCombination combine(const Eigen::VectorXd& x, double enough, bool best = false);
   /// Adds to the coefficients what represents x, by least squares.
   void correct(ApproxCombination& combination, const Eigen::VectorXd& x) const;
 
  private:
   struct Program;
-  struct Column {
-    int index;
-    bool conjugate;
-    std::complex<double> direction;
-  };
   void rebuild();
-  void append_directions(int index);
-  void append(const Column& column);
-  bool solve(bool primal);
-  void forget_columns();
-  bool leaves_span() const;
-  bool append_violated(double value, double enough);
-  Eigen::VectorXd column_vector(const Column& column) const;
+  void whiten();
+  void append(int index);
+  bool solve();
+  ApproxCombination combine_real(const Eigen::VectorXd& x);
+  ApproxCombination combine_complex(const Eigen::VectorXd& x, double enough, bool best) const;
+  Eigen::VectorXd multiple(const ApproxTerm& term) const;
+  bool represents(const ApproxCombination& combination, const Eigen::VectorXd& x) const;
 
   int dimension_;
   bool complex_;
   std::vector<Eigen::VectorXd> vectors_;
-  std::vector<Column> columns_;
+  std::vector<std::pair<int, double>> columns_;   // of the linear program: +-v_j
+  Eigen::MatrixXd atoms_;                         // whitened v_j, i v_j, conj(v_j), i conj(v_j), for all j
   Eigen::MatrixXd whitening_;  // coordinates in which the hull is round: the program's tolerances are absolute
   std::size_t next_rebuild_;
   std::unique_ptr<Program> program_;

@@ -2,7 +2,7 @@
 //
 // Theorem N3: let chi be the characteristic polynomial of L(gamma) at one gamma > 0; divide out (lambda - 2^{-k}) once
 // for those k = 0..m for which it divides. A root of the rest that is not less than 2^{-m} belongs to an eigenvector,
-// to a second one of an eigenvalue 2^{-k}, or to a Jordan chain; since the scheme is interpolatory, this is the values
+// to a second one of an eigenvalue 2^{-k}, or to a Jordan chain; so does 2^{-k} when t^k is no eigenvector to it. Since the scheme is interpolatory, this is the values
 // at the knots of a limit f with f(t/2) = lambda f(t) (+ c t^k), which no Taylor polynomial of degree m with a rest
 // o(t^m) allows. On a leaf each (lambda - 2^{-k}) divides everywhere or nowhere, so that there is one rest.
 #include "proofs/checker/certificate.hpp"
@@ -115,6 +115,31 @@ std::vector<mpz_class> value_at(const Bernstein& rest, unsigned long k, int side
   return result;
 }
 
+/// Whether t^k is nowhere on the leaf an eigenvector to 2^{-k}: for the new point at t_r / 2, r odd, sum_j e_j t_j^k differs from
+/// (t_r / 2)^k.
+bool lacks_power(const Rule& rule, const std::vector<Stencil>& rows, unsigned long k, const Region& region, Budget& budget) {
+  const int n = rule.points / 2;
+  const auto power_of_knot = [&](int j) {
+    Polynomial power = constant(1);
+    const Polynomial knot = multiply(constant(j), j > 0 ? variable(rule.gamma) : constant(1), budget);
+    for (unsigned long i = 0; i < k; ++i) power = multiply(power, knot, budget);
+    return power;
+  };
+  for (int i = 0; i < 2 * n; ++i) {
+    const Stencil& row = rows[static_cast<std::size_t>(i)];
+    // Row i is that of the knot number 2i + 1 - 2n, and begins at the knot number i + 1 - 2n.
+    Polynomial defect = multiply(row.denominator, multiply(constant(-1), power_of_knot(2 * i + 1 - 2 * n), budget), budget);
+    for (int j = 0; j < 2 * n; ++j) {
+      const Polynomial scaled = multiply(constant(mpz_class(1) << k), power_of_knot(i + j + 1 - 2 * n), budget);
+      defect = add(std::move(defect), multiply(row.numerators[static_cast<std::size_t>(j)], scaled, budget), budget);
+    }
+    Region box;
+    const Bernstein local = on_region({std::move(defect)}, region, box, budget);
+    if (strict_sign(local.coefficients, local.degrees, box) != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void prove_n3(const Certificate& certificate, const Leaf& leaf, Budget& budget) {
@@ -124,11 +149,10 @@ void prove_n3(const Certificate& certificate, const Leaf& leaf, Budget& budget) 
   if (strict_sign(denominator.coefficients, denominator.degrees, box) == 0)
     throw Rejected{"denominator", "a denominator of the rule has no proven strict sign"};
   region.push_back({{leaf.gamma, false}, {leaf.gamma, true}, ""});
-  Bernstein rest;
-  std::tie(box, rest) = [&] {
-    Characteristic made = characteristic(matrix_rows(*certificate.rule, region, budget), region, budget);
-    return std::pair{std::move(made.box), std::move(made.coefficients)};
-  }();
+  const std::vector<Stencil> rows = matrix_rows(*certificate.rule, region, budget);
+  Characteristic made = characteristic(rows, region, budget);
+  box = std::move(made.box);
+  Bernstein rest = std::move(made.coefficients);
   const std::size_t size = rest.size();
   const auto order = static_cast<unsigned long>(certificate.order);
   const double entries = static_cast<double>(rest.coefficients.size()), length = limbs(rest) + 64 * 64;
@@ -148,6 +172,7 @@ void prove_n3(const Certificate& certificate, const Leaf& leaf, Budget& budget) 
       throw Rejected{"eigenvalue", "that 2^-" + std::to_string(k) + " is an eigenvalue everywhere or nowhere on the " +
                                        "leaf is not proved"};
     if (!divides) continue;
+    if (lacks_power(*certificate.rule, rows, k, region, budget)) return;
     quotient.coefficients.resize(quotient.coefficients.size() - size);
     rest = std::move(quotient);
   }

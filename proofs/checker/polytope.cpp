@@ -13,7 +13,12 @@ namespace {
 
 constexpr std::size_t max_size = 64, max_vectors = 20000, max_matrices = 64;
 
-/// An upper bound of sqrt(x^2 + y^2), less than 2^-63 above it.
+void require(bool condition, const std::string& reason) {
+  if (!condition) throw Rejected{"polytope", reason};
+}
+
+}  // namespace
+
 mpq_class modulus(const mpq_class& x, const mpq_class& y, Budget& budget) {
   if (y == 0) return abs(x);
   const double size = limbs(x) + limbs(y);
@@ -27,7 +32,6 @@ mpq_class modulus(const mpq_class& x, const mpq_class& y, Budget& budget) {
   return result;
 }
 
-/// x -= c y, or c conj(y).
 void subtract(Vector& x, const mpq_class& re, const mpq_class& im, const Vector& y, bool conjugated, Budget& budget) {
   const mpq_class minus_re = -re, minus_im = -im;
   for (std::size_t i = 0; i < y.real.size(); ++i) {
@@ -38,12 +42,6 @@ void subtract(Vector& x, const mpq_class& re, const mpq_class& im, const Vector&
     add_product(x.imaginary[i], conjugated ? re : minus_re, y.imaginary[i], budget);
   }
 }
-
-void require(bool condition, const std::string& reason) {
-  if (!condition) throw Rejected{"polytope", reason};
-}
-
-}  // namespace
 
 mpq_class read_number(const Json& value, const std::string& step, const std::string& what, Budget& budget) {
   if (!value.is_string()) throw Rejected{step, what + " needs strings as numbers"};

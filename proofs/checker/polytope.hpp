@@ -31,6 +31,11 @@ struct Vector {
 };
 Vector product(const RationalMatrix& b, const Vector& x, Budget& budget);
 
+/// An upper bound of sqrt(x^2 + y^2), less than 2^-63 above it.
+mpq_class modulus(const mpq_class& x, const mpq_class& y, Budget& budget);
+/// x -= (re + i im) y, or (re + i im) conj(y). \pre x has imaginary parts when the product has
+void subtract(Vector& x, const mpq_class& re, const mpq_class& im, const Vector& y, bool conjugated, Budget& budget);
+
 /// Diagonal blocks of T^{-1} B_e T, which is verified to be block upper triangular.
 struct Blocks {
   std::vector<std::vector<RationalMatrix>> families;
@@ -75,5 +80,9 @@ void prove_radius_at_least(const std::vector<RationalMatrix>& family, const nloh
 /// matrices affine in parameters on a box, the family of the matrices at all corners proves it on the whole box.
 void prove_polytope_norm(const std::vector<RationalMatrix>& family, const mpq_class& bound, const nlohmann::json& norm,
                          Budget& budget);
+
+/// For the matrices (1 - s) B_e(0) + s B_e(1): JSR(s) <= bound for all s in [0, 1], by polytopes whose vectors move with s; see
+/// docs/certificate.md, "Moving polytopes". \param ends all B_e(0), then all B_e(1)
+void prove_moving_norm(const std::vector<RationalMatrix>& ends, const mpq_class& bound, const nlohmann::json& norm, Budget& budget);
 
 }  // namespace limes::checker

@@ -3,7 +3,8 @@
 // A polytope norm in which the difference scheme contracts. On the closed leaf b = B / D with Bernstein coefficients
 // B_I, D_I > 0, so at every point b is a convex combination of the B_I / D_I, and so are its finite sections, with the
 // same weights. A bound below 1 of the norms of all M_{I,e}, block by block in a basis in which they are block triangular,
-// therefore makes all products of sections tend to 0 at every point of the leaf.
+// therefore makes all products of sections tend to 0 at every point of the leaf. With two coefficients I the sections are those at some point of
+// the segment between the two families, and norms that change along it do as well.
 #include "proofs/checker/certificate.hpp"
 #include "proofs/checker/json.hpp"
 #include "proofs/checker/polytope.hpp"
@@ -38,7 +39,9 @@ RationalMatrix section(const LocalScheme& scheme, std::size_t size, std::size_t 
 }  // namespace
 
 void prove_polytope_leaf(const LocalScheme& scheme, const Json& polytope, Budget& budget) {
-  const Reader reader(polytope, "proof", "the polytope", {"bound", "norm"});
+  const bool moving = polytope.is_object() && polytope.contains("moving");
+  const char* kind = moving ? "moving" : "norm";
+  const Reader reader(polytope, "proof", "the polytope", {"bound", kind});
   const std::string& text = reader.text(reader.at("bound"), "bound");
   budget.work(2000 + 2. * static_cast<double>(text.size()) * static_cast<double>(text.size()));
   const mpq_class bound = read_rational(text, "proof");
@@ -57,7 +60,9 @@ void prove_polytope_leaf(const LocalScheme& scheme, const Json& polytope, Budget
   std::vector<RationalMatrix> family;
   for (std::size_t place = 0; place < places; ++place)
     for (int e = 0; e < scheme.arity; ++e) family.push_back(section(scheme, size, place, e));
-  prove_polytope_norm(family, bound, reader.at("norm"), budget);
+  if (!moving) return prove_polytope_norm(family, bound, reader.at(kind), budget);
+  if (places != 2) throw Rejected{"polytope", "a moving polytope needs sections that are affine in one parameter"};
+  prove_moving_norm(family, bound, reader.at(kind), budget);
 }
 
 }  // namespace limes::checker

@@ -23,6 +23,8 @@ struct RatioTest {
   /// Where one of these is <= 0, a root has modulus >= 2^{-m}: a real one by the values at 2^{-k}, and at -2^{-k} times
   /// (-1)^degree; a real one or a complex pair by the determinant of the boundary test, made when it is needed.
   std::vector<MultivariatePolynomial> values;
+  /// Where one of these is not 0, t^k is no eigenvector to an eigenvalue 2^{-k}, k <= m.
+  std::vector<MultivariatePolynomial> defects;
   bool has_determinant = false;
 
   bool has_guards(const Box& box) const {
@@ -34,6 +36,11 @@ struct RatioTest {
   bool refutes(const Box& box, const std::vector<std::vector<Rational>>& points) const {
     if (guards.empty() || guards.front()(points.front()) <= 0) return false;
     std::optional<bool> guarded;
+    for (const MultivariatePolynomial& defect : defects) {
+      if (BernsteinForm(defect, box).strict_sign_off_open_faces() == 0) continue;
+      if (!guarded) guarded = has_guards(box);
+      if (*guarded) return true;
+    }
     for (const MultivariatePolynomial& value : values) {
       if (std::any_of(points.begin(), points.end(), [&](const auto& point) { return value(point) > 0; })) continue;
       if (BernsteinForm(value, box).upper() > 0) continue;
@@ -63,8 +70,8 @@ MultivariatePolynomial value_at(const LambdaPolynomial& p, const Rational& lambd
   return result;
 }
 
-RatioTest make_test(const LambdaPolynomial& chi, int m, const Box& region, const Rational& gamma) {
-  RatioTest test{gamma, chi.substitute(chi.variables() - 1, gamma), {}, {}};
+RatioTest make_test(const SubdivisionMatrix& matrix, const LambdaPolynomial& chi, int m, const Box& region, const Rational& gamma) {
+  RatioTest test{gamma, chi.substitute(chi.variables() - 1, gamma), {}, {}, {}};
   LambdaPolynomial& rest = test.rest;
   if (rest.degree() < chi.degree()) return test;
   rest = primitive_part(rest).part;
@@ -78,6 +85,10 @@ RatioTest make_test(const LambdaPolynomial& chi, int m, const Box& region, const
     const MultivariatePolynomial value = value_at(rest, eigenvalue);
     if (value.is_zero()) {
       rest = *exact_quotient(rest, LambdaPolynomial::linear(one, eigenvalue * one));
+      for (const MultivariatePolynomial& defect : matrix.power_defects(k)) {
+        const MultivariatePolynomial at_ratio = defect.substitute(matrix.gamma(), gamma);
+        if (!at_ratio.is_zero()) test.defects.push_back(at_ratio);
+      }
     } else {
       test.guards.push_back(value);
     }
@@ -93,9 +104,9 @@ RatioTest make_test(const LambdaPolynomial& chi, int m, const Box& region, const
 class RegionRefutation {
  public:
   /// \param symmetric the eigenvalues for 1/gamma are those for gamma
-  RegionRefutation(const LambdaPolynomial& chi, int m, const Box& region, std::vector<Box> pieces, bool symmetric,
+  RegionRefutation(const SubdivisionMatrix& matrix, const LambdaPolynomial& chi, int m, const Box& region, std::vector<Box> pieces, bool symmetric,
                    const std::optional<Rational>& first)
-      : chi_(chi), m_(m), region_(region), ratios_(candidate_ratios()), waiting_(std::move(pieces)) {
+      : matrix_(matrix), chi_(chi), m_(m), region_(region), ratios_(candidate_ratios()), waiting_(std::move(pieces)) {
     // The claim may fail for very small or very large ratios only.
     for (int k = 16; k <= 40; k += 4) {
       for (const int sign : {-1, 1}) ratios_.push_back(power(Rational(2), sign * k));
@@ -135,7 +146,7 @@ class RegionRefutation {
  private:
   RatioTest& test(std::size_t k) {
     const auto found = tests_.find(k);
-    return found != tests_.end() ? found->second : tests_.emplace(k, make_test(chi_, m_, region_, ratios_[k])).first->second;
+    return found != tests_.end() ? found->second : tests_.emplace(k, make_test(matrix_, chi_, m_, region_, ratios_[k])).first->second;
   }
   static Box with_ratio(Box box, const Rational& gamma) {
     box.push_back(Interval::point(gamma));
@@ -177,6 +188,7 @@ class RegionRefutation {
     return std::nullopt;
   }
 
+  const SubdivisionMatrix& matrix_;
   const LambdaPolynomial& chi_;
   int m_;
   Box region_;
@@ -185,14 +197,30 @@ class RegionRefutation {
   std::map<std::size_t, RatioTest> tests_;
 };
 
+/// A ratio at which some 2^{-k}, k <= m, is an eigenvalue and t^k no eigenvector to it, at one parameter value.
+std::optional<Rational> ratio_with_other_eigenvector(const SubdivisionMatrix& matrix, const LambdaPolynomial& chi, int m, const Box& region) {
+  std::vector<Rational> point = midpoint(region);
+  point.emplace_back();
+  for (int k = 0; k <= m; ++k) {
+    const std::vector<MultivariatePolynomial> defects = matrix.power_defects(k);
+    for (const Rational& gamma : candidate_ratios()) {
+      point.back() = gamma;
+      if (chi.leading()(point) == 0 || chi.at(point)(power(Rational(2), -k)) != 0) continue;
+      if (std::any_of(defects.begin(), defects.end(), [&](const auto& defect) { return defect(point) != 0; })) return gamma;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 ProofAttempt refute_by_ratio(const InsertionRule& rule, int m, const Box& region, const std::optional<Rational>& first,
                              const ProofLimits& limits, const Stop& stop) {
   const std::vector<std::vector<RationalFunction>> stencils = isolated_ratio_stencils(rule, region);
-  const LambdaPolynomial chi = characteristic_polynomial(SubdivisionMatrix::from_stencils(stencils), stop);
+  const SubdivisionMatrix matrix = SubdivisionMatrix::from_stencils(stencils);
+  const LambdaPolynomial chi = characteristic_polynomial(matrix, stop);
   if (!is_point(region)) {
-    return RegionRefutation(chi, m, region, pieces_without_poles(rule, region), is_mirror_symmetric(stencils), first).prove(limits, stop);
+    return RegionRefutation(matrix, chi, m, region, pieces_without_poles(rule, region), is_mirror_symmetric(stencils), first).prove(limits, stop);
   }
   ProofAttempt attempt;
   std::optional<ExpandingEigenvalue> found;
@@ -202,9 +230,10 @@ ProofAttempt refute_by_ratio(const InsertionRule& rule, int m, const Box& region
     if (chi.leading()(with_first) != 0) found = expanding_eigenvalue_at(chi, m, with_first);
   }
   if (!found) found = find_expanding_eigenvalue(chi, m, region, 1, stop);
-  attempt.proved = found.has_value();
-  if (found) {
-    attempt.leaves.push_back({region, RatioWitness{found->point.back()}});
+  const std::optional<Rational> ratio = found ? found->point.back() : ratio_with_other_eigenvector(matrix, chi, m, region);
+  attempt.proved = ratio.has_value();
+  if (ratio) {
+    attempt.leaves.push_back({region, RatioWitness{*ratio}});
   } else {
     attempt.reason = "no knot ratio is found whose eigenvalues contradict the smoothness";
     attempt.failing_point = midpoint(region);

@@ -1,7 +1,7 @@
 // The JSON form of polytope norms (docs/certificate.md, "Polytope norms"). Included by sources only.
 #pragma once
 
-#include "analysis/spectral_radius/polytope_norm.hpp"
+#include "analysis/spectral_radius/moving_polytope.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,5 +15,7 @@ nlohmann::ordered_json combination_to_json(const SparseCombination& combination,
 nlohmann::ordered_json polytope_to_json(const Polytope& polytope);
 /// {"form", "blocks"}; the bound is not part of it.
 nlohmann::ordered_json norm_to_json(const PolytopeNorm& norm);
+
+nlohmann::ordered_json norm_to_json(const MovingNorm& norm);
 
 }  // namespace limes

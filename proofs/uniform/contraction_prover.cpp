@@ -123,20 +123,26 @@ std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& bo
   if (!sections || sections->front().rows() > limits_.max_polytope_dimension) return std::nullopt;
   const double gap = 1 - approx_radius(*sections, stop_);
   PolytopeLimits limits = limits_.polytope;
+  limits.real_room = 0.05;
   int bits = 20;
   if (gap <= std::ldexp(1, 1 - bits)) {
     bits = 27;
     limits.precision = std::max(limits.precision, 60);
   }
   if (gap <= std::ldexp(1, -bits)) return std::nullopt;
-  // The more the gap varies, the more vectors are needed, each dearer than the one before: smaller boxes cost less.
-  constexpr double greatest_quotient = 1.5;
-  constexpr std::size_t few_vectors = 250;
-  if (const std::optional<Gaps> gaps = approx_gaps(box);
-      gaps && std::max(gaps->lower, gaps->upper) > greatest_quotient * std::min(gaps->lower, gaps->upper)) {
-    limits.max_vectors = std::min(limits.max_vectors, few_vectors);
+  const Rational bound = 1 - power(Rational(2), -bits);
+  if (const std::optional<Gaps> gaps = approx_gaps(box)) {
+    if (static_cast<int>(sections->size()) == 2 * arity_) {
+      if (std::optional<MovingNorm> norm = find_moving_polytope(*sections, bound, limits, stop_)) return PolytopeWitness{std::move(*norm)};
+    }
+    // The more the gap varies, the more vectors are needed, each dearer than the one before: smaller boxes cost less.
+    constexpr double greatest_quotient = 1.5;
+    constexpr std::size_t few_vectors = 250;
+    if (std::max(gaps->lower, gaps->upper) > greatest_quotient * std::min(gaps->lower, gaps->upper)) {
+      limits.max_vectors = std::min(limits.max_vectors, few_vectors);
+    }
   }
-  std::optional<PolytopeNorm> norm = find_polytope(*sections, 1 - power(Rational(2), -bits), limits, stop_);
+  std::optional<PolytopeNorm> norm = find_polytope(*sections, bound, limits, stop_);
   if (!norm) return std::nullopt;
   return PolytopeWitness{std::move(*norm)};
 }

@@ -177,10 +177,11 @@ Blocks contraction_text(const Scheme& scheme, const std::vector<ProofLeaf>& leav
   }
   if (leaves.size() == 1) {
     const auto* polytope = std::get_if<PolytopeWitness>(&leaves.front().witness);
-    std::size_t vectors = 0;
-    for (const Polytope& block : polytope ? polytope->norm.blocks : std::vector<Polytope>{}) vectors += block.vectors.size();
-    blocks.push_back(paragraph(fmt::format("A norm whose unit ball is a polytope with ${}$ vectors up to symmetry contracts all finite sections{}: the bound is ${}<1$.", vectors,
-                                           is_point(whole) ? "" : " on the whole region", polytope ? to_decimal(polytope->norm.bound, 8, Rounding::up) : "1")));
+    if (polytope) {
+      const bool moving = std::holds_alternative<MovingNorm>(polytope->norm);
+      blocks.push_back(paragraph(fmt::format("A norm whose unit ball is a polytope with ${}$ vectors up to symmetry{} contracts all finite sections{}: the bound is ${}<1$.", polytope->vectors(),
+                                             moving ? ", affine in the parameter," : "", is_point(whole) ? "" : " on the whole region", to_decimal(polytope->bound(), 8, Rounding::up))));
+    }
     return blocks;
   }
   const bool listed = leaves.size() <= most_rows;

@@ -71,3 +71,41 @@ TEST(NormJson, OneNormForAnInterval) {
     EXPECT_TRUE(find_polytope(between, bound, {}, {}));
   }
 }
+
+TEST(NormJson, VectorsThatMoveWithTheParameter) {
+  // C^3 of the eight-point scheme up to 0.009362; the radius is 1 at 0.0093622..
+  MatrixFamily ends = sections("eight-point", {Rational(92, 10000)}, 4);
+  for (const RationalMatrix& b : sections("eight-point", {Rational(9362, 1000000)}, 4)) ends.push_back(b);
+  const Rational bound(999999, 1000000);
+  const auto norm = find_moving_polytope(ends, bound, {.eagerness = 0.5}, {});
+  ASSERT_TRUE(norm);
+  const nlohmann::ordered_json good = norm_to_json(*norm);
+  const auto verdict_of = [&](const Rational& claimed, const nlohmann::ordered_json& json) -> std::string {
+    std::vector<checker::RationalMatrix> matrices;
+    for (const RationalMatrix& b : ends) matrices.push_back(for_checker(b));
+    checker::Budget budget;
+    try {
+      checker::prove_moving_norm(matrices, mpq_class(to_string(claimed)), checker::parse_json(json.dump()), budget);
+    } catch (const checker::Rejected& rejected) {
+      return rejected.step + ": " + rejected.reason;
+    }
+    return "";
+  };
+  EXPECT_EQ(verdict_of(bound, good), "");
+  EXPECT_NE(verdict_of(Rational(9999, 10000), good), "");
+  const std::size_t last = norm->blocks.size() - 1;
+  for (std::size_t k : {0, 1, 2}) {
+    nlohmann::ordered_json bad = good;
+    bad["blocks"][last]["images"][0][5][0][1][k] = "1/7";
+    EXPECT_NE(verdict_of(bound, bad), "") << k;
+  }
+  for (std::size_t end : {0, 1}) {
+    nlohmann::ordered_json bad = good;
+    bad["blocks"][last]["vectors"][3][end][2] = "7";
+    EXPECT_NE(verdict_of(bound, bad), "") << end;
+    bad = good;
+    bad["form"]["basis"][0][0] = "7";
+    EXPECT_NE(verdict_of(bound, bad), "");
+  }
+  for (std::size_t k = 0; k < norm->blocks.size(); ++k) EXPECT_LE(exact_moving_bound(norm->blocks[k], norm->form.diagonal_block(k)), bound);
+}

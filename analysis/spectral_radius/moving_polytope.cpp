@@ -9,6 +9,7 @@
 #include "analysis/spectral_radius/leading_words.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include <cmath>
 #include <limits>

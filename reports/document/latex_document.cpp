@@ -27,7 +27,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// File and scheme names may be broken after '/', '.' and ',', and after a '-' that is no sign.
+/// File and scheme names may be broken after '/', '.', ',' and '+', and after a '-' that is no sign.
 std::string escaped_code(std::string_view text) {
   std::string result;
   const std::string all = escaped(text);
@@ -35,7 +35,7 @@ std::string escaped_code(std::string_view text) {
     const char c = all[k];
     result += c;
     const bool hyphen = c == '-' && k + 1 < all.size() && std::isalpha(static_cast<unsigned char>(all[k + 1]));
-    if (c == '/' || c == '.' || c == ',' || hyphen) result += "\\allowbreak{}";
+    if (c == '/' || c == '.' || c == ',' || c == '+' || hyphen) result += "\\allowbreak{}";
   }
   return result;
 }

@@ -45,6 +45,7 @@ int run(const std::vector<std::string>& command, const fs::path& directory, cons
     execvp(arguments[0], arguments.data());
     _exit(127);
   }
+  setpgid(child, child);  // whichever of the two comes first
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     if (stop.requested()) {

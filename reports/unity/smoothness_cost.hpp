@@ -23,7 +23,7 @@ struct SmoothnessCost {
   std::vector<Rational> mask = {};
   double error = 0;
   std::vector<Claim> claims = {};
-  /// Of the Hoelder exponent, some hundredths apart where that can be had quickly; the certificate is accepted by the checker.
+  /// Of the Hoelder exponent, thousandths to two tenths apart: what can be had quickly; the certificate is accepted by the checker.
   ExponentBounds exponent = {};
   std::string exponent_certificate = {};
 };

@@ -57,13 +57,14 @@ def fits(value, schema):
                 "minItems": lambda: len(value) >= rule,
                 "maxItems": lambda: len(value) <= rule,
                 "uniqueItems": lambda: len(set(map(json.dumps, value))) == len(value)}[key]()
-        elif key in ("properties", "required", "additionalProperties", "maxProperties", "propertyNames"):
+        elif key in ("properties", "required", "additionalProperties", "minProperties", "maxProperties", "propertyNames"):
             known = schema.get("properties", {})
             ok = not isinstance(value, dict) or {
                 "properties": lambda: all(fits(value[k], r) for k, r in rule.items() if k in value),
                 "required": lambda: all(k in value for k in rule),
                 "additionalProperties": lambda: all(k in known or (rule is not False and fits(x, rule))
                                                     for k, x in value.items()),
+                "minProperties": lambda: len(value) >= rule,
                 "maxProperties": lambda: len(value) <= rule,
                 "propertyNames": lambda: all(fits(k, rule) for k in value)}[key]()
         else:

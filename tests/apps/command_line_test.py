@@ -7,6 +7,7 @@ Certificates that valid runs produce go to CERTIFICATES, where script/test check
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -14,6 +15,7 @@ import sys
 import tempfile
 import time
 import unittest
+from fractions import Fraction
 
 LIMES, LIMES_CHECK, CERTIFICATES = sys.argv[1:4]
 
@@ -73,6 +75,26 @@ class CommandLine(unittest.TestCase):
             self.assertEqual({"name", "kind", "claims", "source"} - set(scheme), set())
         for name in names:
             self.assertIn(name, self.limes("list").out)
+
+    def test_smooth_schemes_of_the_catalogue_have_both_sides(self):
+        """C^k and not C^{k+1} for values in common, k being the most that is claimed: reports say "exactly C^k"."""
+        def common(a, b):
+            return all(max(Fraction(a[n][0]), Fraction(b[n][0])) <= min(Fraction(a[n][1]), Fraction(b[n][1])) for n in a)
+        lacking, examined = [], 0
+        for scheme in json.loads(self.limes("list", "--json").out)["schemes"]:
+            smooth, rough = [], []
+            for claim in scheme["claims"]:
+                match = re.fullmatch(r"(not )?C(\d+)", claim["claim"])
+                if match and claim["expected"] == "certified":
+                    (rough if match[1] else smooth).append((int(match[2]), claim["region"]))
+            if scheme["kind"] not in ("uniform", "nonuniform") or not smooth:
+                continue
+            examined += 1
+            most = max(k for k, _ in smooth)
+            if not any(common(a, b) for k, a in smooth if k == most for m, b in rough if m == most + 1):
+                lacking.append(scheme["name"])
+        self.assertEqual(lacking, [])
+        self.assertGreater(examined, 30)
 
     def test_show(self):
         run = self.limes("show", "four-point")

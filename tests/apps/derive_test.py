@@ -43,7 +43,7 @@ class Derive(unittest.TestCase):
         self.assertNotIn("exponent", rows[0])
         for row in rows[1:]:
             lower, upper = Fraction(row["exponent"]), Fraction(row["exponent_upper"])
-            self.assertLess(upper - lower, Fraction(1, 20))
+            self.assertLess(upper - lower, Fraction(1, 10))
         self.assertEqual(rows[4]["claims"], ["C2", "not C3"])
         self.assertTrue(2 < Fraction(rows[4]["exponent"]) < Fraction(rows[4]["exponent_upper"]) < 3)
         self.assertEqual({k: v for k, v in rows[1].items() if k != "sum_rules"}, {k: v for k, v in rows[2].items() if k != "sum_rules"}, "symmetric")

@@ -102,7 +102,7 @@ class Jsr(LimesCase):
                               ("[[[1, 2]]]", "not square"), ("[[[1], [2]]]", "not square"), ("[[[1, 2], [3]]]", "not square"),
                               ("[[[1]], [[1, 0], [0, 1]]]", "matrix 2 has 2 rows"), ("[[[0.5]]]", "decimals are strings"), ("[[[NaN]]]", "no JSON"),
                               ('[[["NaN"]]]', "row 1"), ('[[["1/0"]]]', "row 1"), ('[[["x"]]]', "row 1"), ("[[[true]]]", "row 1"),
-                              ("[[[null]]]", "row 1"), ("[" * 5000, "no JSON")):
+                              ("[[[null]]]", "row 1"), ("[" * 5000, "nested")):
             with self.subTest(content[:40]):
                 self.assert_bad_input(content, part)
         for content, part in (("1,2\n3\n", "not square"), ("1,nan\n2,3\n", ":1"), ("1,2\n3,,4\n", ":2"), ("# only this\n", "holds no matrix"),

@@ -1,5 +1,6 @@
 // Theorem N3 on regions.
 
+#include "proofs/checker/checker.hpp"
 #include "schemes/catalogue.hpp"
 #include "tests/proofs/nonuniform/decide.hpp"
 
@@ -35,6 +36,19 @@ TEST(RatioRefutation, RangesThatEndInTheLimitOfSmallRatios) {
   EXPECT_EQ(decide(catalogue("a1-3-1"), "not C1", "[125000001/1000000000, 1/4]").outcome, Outcome::certified);
   EXPECT_EQ(decide(catalogue("cu2-4"), "C2", "(0, 1/32]").outcome, Outcome::certified);
   EXPECT_EQ(decide(catalogue("cu2-4"), "not C2", "[31251/1000000, 1/10]").outcome, Outcome::certified);
+}
+
+// Karciauskas & Peters 2013, cr2: 1/8 is an eigenvalue at every ratio, and cubics are not reproduced. Quadratics are.
+TEST(RatioRefutation, AnEigenvalueWithoutItsPower) {
+  const Verdict verdict = decide(catalogue("cr2"), "not C3", "[0, 1/10]");
+  ASSERT_EQ(verdict.outcome, Outcome::certified) << verdict.reason;
+  EXPECT_EQ(verdict.certificate->theorem, Theorem::n3);
+  EXPECT_EQ(decide(catalogue("cr2"), "not C2", "(0, 1/50]").outcome, Outcome::undecided);
+  std::string altered = verdict.certificate_json;
+  const std::size_t at = altered.find("not C3");
+  ASSERT_NE(at, std::string::npos);
+  altered.replace(at, 6, "not C2");
+  EXPECT_EQ(checker::check(altered).step, "eigenvalue");
 }
 
 // Conjugate eigenvalues, which no sign at a real number shows.

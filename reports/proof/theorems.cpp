@@ -62,7 +62,7 @@ Blocks theorem_statements(const std::set<Theorem>& theorems, bool exponents) {
   }
   if (theorems.contains(Theorem::n3)) {
     blocks.push_back(theorem("N3", "",
-                             {paragraph("If for one $\\gamma>0$ the matrix $L(\\gamma)$ has, besides one simple eigenvalue $2^{-k}$ for each $k=0,\\dots,m$, an eigenvalue of modulus at least $2^{-m}$, then the scheme "
+                             {paragraph("If for one $\\gamma>0$ the matrix $L(\\gamma)$ has, besides one simple eigenvalue $2^{-k}$ for each $k=0,\\dots,m$, an eigenvalue of modulus at least $2^{-m}$, or an eigenvalue $2^{-k}$, $k\\le m$, to which the $k$-th powers of the knots are no eigenvector, then the scheme "
                                         "is not $C^m$: its limit on the eigenvector's data contradicts a Taylor polynomial up to $o(t^m)$.")}));
   }
   if (theorems.contains(Theorem::s1)) {

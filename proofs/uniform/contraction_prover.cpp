@@ -133,6 +133,11 @@ std::optional<PolytopeWitness> ContractionProver::find_polytope_on(const Box& bo
   const Rational bound = 1 - power(Rational(2), -bits);
   if (const std::optional<Gaps> gaps = approx_gaps(box)) {
     if (static_cast<int>(sections->size()) == 2 * arity_) {
+      // A fixed polytope where it has few vectors: moving ones cost more, and where the gap varies much they fail late.
+      constexpr std::size_t very_few_vectors = 64;
+      PolytopeLimits quick = limits;
+      quick.max_vectors = std::min(limits.max_vectors, very_few_vectors);
+      if (std::optional<PolytopeNorm> norm = find_polytope(*sections, bound, quick, stop_)) return PolytopeWitness{std::move(*norm)};
       if (std::optional<MovingNorm> norm = find_moving_polytope(*sections, bound, limits, stop_)) return PolytopeWitness{std::move(*norm)};
     }
     // The more the gap varies, the more vectors are needed, each dearer than the one before: smaller boxes cost less.

@@ -37,6 +37,12 @@ Json claim_json(const Scheme& scheme, const Claim& claim) {
   return json;
 }
 
+Json claims_json(const Scheme& scheme) {
+  Json claims = Json::array();
+  for (const Claim& claim : scheme.claims) claims.push_back(claim_json(scheme, claim));
+  return claims;
+}
+
 /// Decimals rounded outward.
 Json enclosure_json(const Interval& x) { return {to_decimal(x.lower, 17, Rounding::down), to_decimal(x.upper, 17, Rounding::up)}; }
 
@@ -85,12 +91,10 @@ Json algebraic_json(const std::optional<AlgebraicNumber>& x) {
 std::string list_json(const std::vector<Scheme>& schemes) {
   Json list = Json::array();
   for (const Scheme& scheme : schemes) {
-    Json claims = Json::array();
-    for (const Claim& claim : scheme.claims) claims.push_back(claim_json(scheme, claim));
     list.push_back({{"name", scheme.name},
                     {"title", scheme.title},
                     {"kind", to_string(scheme.kind)},
-                    {"claims", claims},
+                    {"claims", claims_json(scheme)},
                     {"source", scheme.sources}});
   }
   return text({{"schemes", list}});
@@ -101,8 +105,6 @@ std::string show_json(const Scheme& scheme) {
     const RingRule& rings = scheme.surface->rings;
     Json rules = Json::object();
     for (const auto& [point, terms] : rings.given) rules[to_string(point)] = to_string(terms, scheme.surface->sequence.level_parameter);
-    Json claims = Json::array();
-    for (const Claim& claim : scheme.claims) claims.push_back(claim_json(scheme, claim));
     return text(Json{{"name", scheme.name},
                      {"title", scheme.title},
                      {"kind", to_string(scheme.kind)},
@@ -112,14 +114,12 @@ std::string show_json(const Scheme& scheme) {
                      {"dual", rings.dual},
                      {"virtual_points", scheme.surface->virtual_points},
                      {"rules", rules},
-                     {"claims", claims}});
+                     {"claims", claims_json(scheme)}});
   }
   const Mask& mask = scheme.mask;
   const VariableNames names = scheme.parameter_names();
   const PolynomialDegrees degrees = polynomial_degrees(mask);
   const int order = sum_rule_order(mask);
-  Json claims = Json::array();
-  for (const Claim& claim : scheme.claims) claims.push_back(claim_json(scheme, claim));
   Json json{{"name", scheme.name},
             {"title", scheme.title},
             {"kind", to_string(scheme.kind)},
@@ -134,7 +134,7 @@ std::string show_json(const Scheme& scheme) {
             {"reproduction_degree", degrees.reproduction},
             {"parameter_shift", to_string(degrees.parameter_shift, names)},
             {"interpolatory", interpolatory_index(mask).has_value()},
-            {"claims", claims}};
+            {"claims", claims_json(scheme)}};
   if (scheme.insertion_rule) {
     const InsertionRuleText& rule = scheme.insertion_rule->text();
     Json let = Json::array(), coefficients = Json::array();

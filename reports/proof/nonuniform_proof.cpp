@@ -87,34 +87,25 @@ RichText eigenvalue_text(const ComplexRoot& root) {
   }()));
 }
 
-/// Whether 2^{-k} is an eigenvalue, and whether the k-th powers of the knots .., -1, 0, gamma, .. are an eigenvector to it.
-struct PowerEigenvector {
-  bool eigenvalue = false, eigenvector = true;
-};
-
-PowerEigenvector power_eigenvector(const RationalMatrix& matrix, const Rational& gamma, int k) {
-  const int last = (matrix.rows() - 1) / 2;
-  const Rational eigenvalue = power(Rational(2), -k);
-  std::vector<Rational> powers;
-  for (int j = -last; j <= last; ++j) powers.push_back(power(j > 0 ? Rational(j) * gamma : Rational(j), k));
-  PowerEigenvector result{.eigenvalue = characteristic_polynomial(matrix)(eigenvalue) == 0};
-  const std::vector<Rational> image = matrix * powers;
-  for (std::size_t i = 0; i < powers.size(); ++i) result.eigenvector = result.eigenvector && image[i] == eigenvalue * powers[i];
-  return result;
+/// Whether the k-th powers of the knots are an eigenvector of L at the point, to 2^{-k}.
+bool has_power_eigenvector(const SubdivisionMatrix& matrix, const std::vector<Rational>& point, int k) {
+  const std::vector<MultivariatePolynomial> defects = matrix.power_defects(k);
+  return std::all_of(defects.begin(), defects.end(), [&](const MultivariatePolynomial& defect) { return defect(point) == 0; });
 }
 
 /// Eigenvalues of L at the point by falling modulus, conjugate pairs in one row.
-DataTable eigenvalue_table(const RationalMatrix& matrix, const Rational& gamma, int smoothness, const RichText& caption) {
+DataTable eigenvalue_table(const SubdivisionMatrix& matrix, const std::vector<Rational>& point, const Polynomial& chi, int smoothness,
+                           const RichText& caption) {
   DataTable table{.caption = caption, .columns = "rrrl", .header = {rich("eigenvalue"), rich("modulus"), rich("multiplicity"), {}}, .rows = {}};
   const Rational rho = power(Rational(2), -smoothness);
-  for (const ComplexRoot& root : enclose_complex_roots(characteristic_polynomial(matrix))) {
+  for (const ComplexRoot& root : enclose_complex_roots(chi)) {
     if (!root.is_real() && root.im.upper < 0) continue;  // named with its conjugate
     RichText note;
     for (int k = 0; k <= smoothness; ++k) {
       if (root.re != Interval::point(power(Rational(2), -k)) || !root.is_real()) continue;
-      note = !power_eigenvector(matrix, gamma, k).eigenvector ? rich(fmt::format("without $t^{{{}}}$", k))
-             : root.multiplicity == 1                         ? rich("polynomials")
-                                                              : rich("multiple");
+      note = !has_power_eigenvector(matrix, point, k) ? rich(fmt::format("without $t^{{{}}}$", k))
+             : root.multiplicity == 1                    ? rich("polynomials")
+                                                         : rich("multiple");
     }
     if (note.empty() && root.modulus.lower >= rho) note = rich(fmt::format("$\\ge2^{{-{}}}$", smoothness));
     RichText value = eigenvalue_text(root);
@@ -264,15 +255,14 @@ Blocks ratio_proof(const Scheme& scheme, const Certificate& certificate, const S
   point.push_back(witness->gamma);
   std::string where = fmt::format("\\gamma={}", inline_latex(witness->gamma));
   if (!there.empty()) where += ",\\ " + point_latex(scheme.parameter_names(), point);
-  const RationalMatrix at_ratio = matrix.at(point);
+  const Polynomial chi = characteristic_polynomial(matrix.at(point));
   std::string reason = fmt::format("has an eigenvalue besides one simple $2^{{-k}}$ for each $k=0,\\dots,{}$ of modulus at least $2^{{-{}}}$", m, m);
   for (int k = 0; k <= m; ++k) {
-    const auto [eigenvalue, eigenvector] = power_eigenvector(at_ratio, witness->gamma, k);
-    if (eigenvalue && !eigenvector) reason = fmt::format("has the eigenvalue $2^{{-{0}}}$, to which the powers $t_j^{{{0}}}$ of the knots are no eigenvector", k);
+    if (chi(power(Rational(2), -k)) == 0 && !has_power_eigenvector(matrix, point, k)) reason = fmt::format("has the eigenvalue $2^{{-{0}}}$, to which the powers $t_j^{{{0}}}$ of the knots are no eigenvector", k);
   }
   blocks.push_back(paragraph(fmt::format("At the isolated knot ratio $\\gamma={}$ the subdivision matrix {}{}.", inline_latex(witness->gamma), reason,
                                          proof.leaves.size() > 1 ? fmt::format(" (and ratios of their own serve on the other of ${}$ boxes that tile the region)", proof.leaves.size()) : "")));
-  blocks.push_back(eigenvalue_table(at_ratio, witness->gamma, m, rich(fmt::format("Eigenvalues of $L$ at ${}$; all digits are right.", where))));
+  blocks.push_back(eigenvalue_table(matrix, point, chi, m, rich(fmt::format("Eigenvalues of $L$ at ${}$; all digits are right.", where))));
   blocks.push_back(paragraph("[Theorem N3](#theorem-N3) applies."));
   return blocks;
 }

@@ -17,18 +17,9 @@ import time
 import unittest
 from fractions import Fraction
 
-LIMES, LIMES_CHECK, CERTIFICATES = sys.argv[1:4]
+from limes_case import OWN_SCHEME
 
-OWN_SCHEME = """name = "mine"
-kind = "uniform"
-[parameters]
-w = ["0", "1/4"]
-[uniform]
-mask = ["-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"]
-[[claims]]
-claim = "C1"
-region = { w = ["1/100", "1/8"] }
-"""
+LIMES, LIMES_CHECK, CERTIFICATES = sys.argv[1:4]
 
 
 class Run:

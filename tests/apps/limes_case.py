@@ -10,6 +10,17 @@ import unittest
 
 sys.dont_write_bytecode = True  # nothing is left in the source tree
 
+OWN_SCHEME = """name = "mine"
+kind = "uniform"
+[parameters]
+w = ["0", "1/4"]
+[uniform]
+mask = ["-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"]
+[[claims]]
+claim = "C1"
+region = { w = ["1/100", "1/8"] }
+"""
+
 
 class LimesCase(unittest.TestCase):
     def setUp(self):

@@ -13,26 +13,18 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
+
+from limes_case import LimesCase, OWN_SCHEME
 
 LIMES = sys.argv[1]
 HAS_TEX = shutil.which("latexmk") is not None and shutil.which("pdflatex") is not None
 PATIENCE = 120  # seconds, before a test is given up
 
 # The second claim is true up to w* = 0.19273.. : so near to it nothing that is tried succeeds soon.
-HARD_CLAIMS = """name = "mine"
-kind = "uniform"
-[parameters]
-w = ["0", "1/4"]
-[uniform]
-mask = ["-w", "0", "1/2+w", "1", "1/2+w", "0", "-w"]
-[[claims]]
-claim = "C1"
-region = { w = ["1/100", "1/8"] }
-""" + "".join(f'[[claims]]\nclaim = "C1"\nregion = {{ w = ["{k}/10000", "1927292/10000000"] }}\n' for k in range(1, 200))
+HARD_CLAIMS = OWN_SCHEME + "".join(f'[[claims]]\nclaim = "C1"\nregion = {{ w = ["{k}/10000", "1927292/10000000"] }}\n' for k in range(1, 200))
 
 # Hundreds of thousands of samples for each of the least-squares problems of the table of costs.
 HARD_STUDY = """name = "heavy"
@@ -56,11 +48,7 @@ def is_running(pid):
         return False
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        self.dir = pathlib.Path(tempfile.mkdtemp(prefix="limes-test-"))
-        self.addCleanup(shutil.rmtree, self.dir)
-
+class Case(LimesCase):
     def environment(self, tools=None):
         path = os.environ["PATH"]
         return dict(os.environ, PATH=f"{tools}:{path}" if tools else path)

@@ -1,12 +1,9 @@
-#include "tests/checker/certificates.hpp"
+#include "tests/checker/polytope_leaf.hpp"
 
 // U1 leaves with a polytope whose vectors move with the parameter.
 
 namespace limes::test {
 namespace {
-
-// a = (1+z)^2 b / 2 with b = (1/2 + w) + (1/2 - w) z: the sections are the numbers 1/2 + w and 1/2 - w.
-Claim tilted(const std::string& w) { return {{"w"}, {"1/4+w/2", "3/4+w/2", "3/4-w/2", "1/4-w/2"}, "C1", {{"w", w}}}; }
 
 /// One vector, 1 at one end and 2 at the other one. On [1/8, 1/4] the sections are 5/8 .. 3/4 and 3/8 .. 1/4: multiples of the vector.
 Json one_vector(const std::string& bound) {
@@ -15,16 +12,6 @@ Json one_vector(const std::string& bound) {
   const Json second = Json::array({term({"3/8", "5/16", "1/4"}), Json::array()});
   const Json block{{"vectors", {{{"1"}, {"2"}}}}, {"unit", "1/4"}, {"images", {first, second}}};
   return {{"bound", bound}, {"moving", {{"form", nullptr}, {"blocks", Json::array({block})}}}};
-}
-
-Json by_polytope(const Claim& claim, const Json& polytope) {
-  return certificate(claim, "certified", "U1", {{"leaves", {{{"region", claim.region}, {"polytope", polytope}}}}});
-}
-
-void expect_invalid(const Json& json, const std::string& step) {
-  const auto result = check(json);
-  EXPECT_FALSE(result.valid) << json.dump();
-  EXPECT_EQ(result.step, step) << result.reason;
 }
 
 TEST(MovingPolytope, QuadraticCoefficientsFollowTheSections) {

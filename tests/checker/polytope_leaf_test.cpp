@@ -1,4 +1,4 @@
-#include "tests/checker/certificates.hpp"
+#include "tests/checker/polytope_leaf.hpp"
 
 // U1 leaves with a polytope norm. With no vectors at all the ball is that of the 1-norm, and the bound is the greatest absolute
 // column sum of the sections.
@@ -15,20 +15,7 @@ Json one_norm(const std::string& bound, std::size_t dimension, std::size_t matri
   return {{"bound", bound}, {"norm", {{"form", nullptr}, {"blocks", Json::array({block})}}}};
 }
 
-Json by_polytope(const Claim& claim, const Json& polytope) {
-  return certificate(claim, "certified", "U1", {{"leaves", {{{"region", claim.region}, {"polytope", polytope}}}}});
-}
-
-void expect_invalid(const Json& json, const std::string& step) {
-  const auto result = check(json);
-  EXPECT_FALSE(result.valid) << json.dump();
-  EXPECT_EQ(result.step, step) << result.reason;
-}
-
 const Claim chaikin{{}, {"1/4", "3/4", "3/4", "1/4"}, "C1"};
-
-// a = (1+z)^2 b / 2 with b = (1/2 + w) + (1/2 - w) z: the sections are the numbers 1/2 + w and 1/2 - w.
-Claim tilted(const std::string& w) { return {{"w"}, {"1/4+w/2", "3/4+w/2", "3/4-w/2", "1/4-w/2"}, "C1", {{"w", w}}}; }
 
 TEST(PolytopeLeaf, NormsOfSectionsWithAndWithoutParameters) {
   expect_valid(by_polytope(chaikin, one_norm("1/2", 1, 2)));
